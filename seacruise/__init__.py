@@ -1,0 +1,96 @@
+"""SeaCruise answers how long a passage takes under sail, and whether a week is enough.
+
+What is listed in ``__all__`` is public; nothing else is. The names are loaded when they are first
+touched, so that ``import seacruise`` costs nothing::
+
+    from pathlib import Path
+    import seacruise
+
+    settings = seacruise.Settings.from_environment()
+    passage = seacruise.plan(request, settings=settings, job=seacruise.Job())
+    print(passage.duration_h)
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from seacruise.errors import (
+        CancelledError,
+        InputError,
+        NoPassageError,
+        SeaCruiseError,
+        WeatherError,
+    )
+    from seacruise.passage import Options, Passage, PassageRequest, Waypoint, plan
+    from seacruise.ports import Port, find_port, load_ports
+    from seacruise.progress import Job
+    from seacruise.sea import Sea
+    from seacruise.settings import Settings
+    from seacruise.weather.wind import Forecast, Wind
+    from seacruise.yacht.polar import Polar
+
+__version__ = "0.1.0"
+
+__all__ = [
+    "CancelledError",
+    "Forecast",
+    "InputError",
+    "Job",
+    "NoPassageError",
+    "Options",
+    "Passage",
+    "PassageRequest",
+    "Polar",
+    "Port",
+    "Sea",
+    "SeaCruiseError",
+    "Settings",
+    "Waypoint",
+    "WeatherError",
+    "Wind",
+    "__version__",
+    "find_port",
+    "load_ports",
+    "plan",
+]
+
+_HOME_OF = {
+    "CancelledError": "errors",
+    "Forecast": "weather.wind",
+    "InputError": "errors",
+    "Job": "progress",
+    "NoPassageError": "errors",
+    "Options": "passage",
+    "Passage": "passage",
+    "PassageRequest": "passage",
+    "Polar": "yacht.polar",
+    "Port": "ports",
+    "Sea": "sea",
+    "SeaCruiseError": "errors",
+    "Settings": "settings",
+    "Waypoint": "passage",
+    "WeatherError": "errors",
+    "Wind": "weather.wind",
+    "find_port": "ports",
+    "load_ports": "ports",
+    "plan": "passage",
+}
+
+
+def __getattr__(name: str) -> object:
+    """Load a public name from its room on first use (PEP 562)."""
+    try:
+        room = _HOME_OF[name]
+    except KeyError:
+        raise AttributeError(f"module 'seacruise' has no attribute {name!r}") from None
+    value = getattr(import_module(f"seacruise.{room}"), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    """List the public names, loaded or not."""
+    return sorted(__all__)

@@ -1,0 +1,101 @@
+"""``seacruise plan``: one passage, computed, printed and exported."""
+
+from __future__ import annotations
+
+import argparse
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from seacruise.commands import request as ask
+from seacruise.commands.common import add_format, cancellable_job, parse_path, say
+
+if TYPE_CHECKING:
+    from seacruise.passage import Passage
+    from seacruise.weather.wind import Wind
+
+EXPORTS = {
+    "gpx": ("F.gpx", "GPX 1.1 route and track, for plotters and OpenCPN"),
+    "kml": ("F.kml", "KML, for Google Earth"),
+    "geojson": ("F.geojson", "GeoJSON, for map programs"),
+    "csv": ("F.csv", "the legs as a table"),
+    "chart": ("F.png", "the passage on a chart"),
+}
+
+
+def add_parser(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    """Add the sub-command."""
+    parser = commands.add_parser(
+        "plan",
+        help="find the fastest passage between two ports",
+        description="Find the fastest passage under sail between two ports and say how long it takes.",
+    )
+    ask.add_voyage(parser, required=True)
+    ask.add_yacht(parser, required=True)
+    ask.add_search_options(parser)
+    files = parser.add_argument_group("files to write (an existing file of that name is replaced)")
+    for name, (metavar, text) in EXPORTS.items():
+        files.add_argument(f"--{name}", type=parse_path, metavar=metavar, help=text)
+    add_format(parser)
+    parser.set_defaults(run=run)
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Plan, print, export; the exit code is 0 or that of the error."""
+    from seacruise.atomic import check_target
+    from seacruise.passage import PassageRequest, plan
+    from seacruise.settings import Settings
+
+    targets: dict[str, Path] = {name: path for name in EXPORTS if (path := getattr(arguments, name))}
+    for name, path in targets.items():
+        check_target(path, f"{name} file")
+    settings = Settings.from_environment()
+    start, end = ask.find_ends(arguments)
+    yacht = ask.find_yacht_named(arguments.yacht, settings)
+    options = ask.options_from(arguments)
+    with cancellable_job() as job:
+        wind = ask.fetch(arguments, start, end, settings=settings, job=job)
+        asked = PassageRequest(start, end, yacht, wind, departure=arguments.depart, options=options)
+        passage = plan(asked, settings=settings, job=job)
+    # The answer first: a full disk must not cost the sailor what was found.
+    show(passage, as_json=arguments.format == "json")
+    for name, path in targets.items():
+        export(name, passage, path, wind=wind)
+        say(f"Wrote {path}")
+    return 0
+
+
+def show(passage: Passage, *, as_json: bool) -> None:
+    """Print a passage on standard output; with JSON its notices go to standard error."""
+    if as_json:
+        from seacruise.export.jsonform import dumps, passage_to_json
+
+        print(dumps(passage_to_json(passage)))
+        for notice in passage.notices:
+            say(f"Note: {notice}")
+    else:
+        from seacruise.export.textform import passage_to_text
+
+        print(passage_to_text(passage, now=datetime.now(UTC)))
+
+
+def export(name: str, passage: Passage, path: Path, *, wind: Wind) -> None:
+    """Write one of `EXPORTS`.
+
+    Raises
+    ------
+    InputError
+        The file cannot be written.
+    """
+    from seacruise.export import chart, csvform, geojson, gpx, kml
+
+    if name == "chart":
+        chart.write_chart(passage, path, wind=wind)
+        return
+    write = {
+        "gpx": gpx.write_gpx,
+        "kml": kml.write_kml,
+        "geojson": geojson.write_geojson,
+        "csv": csvform.write_csv,
+    }[name]
+    write(passage, path)

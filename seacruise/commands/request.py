@@ -1,0 +1,181 @@
+"""The options that ask for a passage, shared by ``plan`` and ``window``."""
+
+from __future__ import annotations
+
+import argparse
+from typing import TYPE_CHECKING, Any
+
+from seacruise.commands.common import number_between, parse_time, say
+
+if TYPE_CHECKING:
+    from seacruise.passage import Options
+    from seacruise.ports import Port
+    from seacruise.progress import Job
+    from seacruise.settings import Settings
+    from seacruise.weather.wind import Wind
+    from seacruise.yacht.polar import Polar
+
+SERVICES = ("auto", "practice", "sample", "stormglass")
+DIRECTIONS = (12, 24, 36, 60, 72, 108, 132)
+
+_OPTION_FIELDS = (
+    "preset",
+    "directions",
+    "spacing_nm",
+    "area",
+    "refine",
+    "tacking",
+    "percent_of_polar",
+    "motor_below_kn",
+    "motor_speed_kn",
+    "fuel_rate_l_h",
+    "max_wind_kn",
+)
+
+
+def add_voyage(parser: argparse.ArgumentParser, *, required: bool) -> None:
+    """Add from, to, when and with which forecast."""
+    ask = parser.add_argument_group("the passage")
+    ask.add_argument(
+        "--from", dest="start", required=required, metavar="PORT", help="a name from ports.csv, or LAT,LON"
+    )
+    ask.add_argument(
+        "--to", dest="end", required=required, metavar="PORT", help="the same for the destination"
+    )
+    ask.add_argument(
+        "--depart",
+        type=parse_time,
+        metavar="TIME",
+        help="ISO time, UTC unless it has an offset (default: the next full hour of the forecast)",
+    )
+    ask.add_argument(
+        "--forecast",
+        action="append",
+        metavar="SOURCE",
+        help=f"{', '.join(SERVICES)}, or a GRIB or NetCDF file; repeat to average several (default: auto)",
+    )
+
+
+def add_yacht(parser: argparse.ArgumentParser, *, required: bool) -> None:
+    """Add the yacht."""
+    parser.add_argument(
+        "--yacht", required=required, metavar="NAME", help="a name from polars/, or the path of a polar file"
+    )
+
+
+def add_search_options(parser: argparse.ArgumentParser) -> None:
+    """Add how to sail and how to search."""
+    sail = parser.add_argument_group("how she is sailed")
+    sail.add_argument(
+        "--percent-of-polar",
+        type=number_between(10, 150, "%"),
+        metavar="PERCENT",
+        help="share of the polar's speed that this crew reaches (default: 100)",
+    )
+    sail.add_argument(
+        "--no-tacking",
+        dest="tacking",
+        action="store_false",
+        default=None,
+        help="no tacking up or gybing down the wind",
+    )
+    sail.add_argument(
+        "--max-wind",
+        dest="max_wind_kn",
+        type=number_between(1, 100, "kn"),
+        metavar="KN",
+        help="never sail in more true wind than this",
+    )
+    sail.add_argument(
+        "--motor-below",
+        dest="motor_below_kn",
+        type=number_between(0.1, 20, "kn"),
+        metavar="KN",
+        help="start the engine when she would sail slower than this",
+    )
+    sail.add_argument(
+        "--motor-speed",
+        dest="motor_speed_kn",
+        type=number_between(0.5, 30, "kn"),
+        metavar="KN",
+        help="speed under engine (default: 5)",
+    )
+    sail.add_argument(
+        "--fuel-rate",
+        dest="fuel_rate_l_h",
+        type=number_between(0, 200, "l/h"),
+        metavar="L/H",
+        help="consumption under engine (default: 2.5)",
+    )
+    search = parser.add_argument_group("how it is searched")
+    search.add_argument("--preset", choices=("precise", "classic"), help="classic is R1 as published")
+    search.add_argument("--directions", type=int, choices=DIRECTIONS, help="courses of the lattice")
+    search.add_argument(
+        "--spacing",
+        dest="spacing_nm",
+        type=number_between(0.1, 60, "nm"),
+        metavar="NM",
+        help="distance between the vertices of the lattice",
+    )
+    search.add_argument(
+        "--area", choices=("ellipse", "rectangle"), help="ellipse: provably large enough; rectangle: R1's"
+    )
+    search.add_argument(
+        "--no-refine",
+        dest="refine",
+        action="store_false",
+        default=None,
+        help="the first search is the answer",
+    )
+
+
+def options_from(arguments: argparse.Namespace) -> Options:
+    """Make the search options; what was not said is left to the preset."""
+    from seacruise.passage import Options
+
+    said: dict[str, Any] = {name: getattr(arguments, name) for name in _OPTION_FIELDS}
+    return Options(**{name: value for name, value in said.items() if value is not None})
+
+
+def find_yacht_named(text: str, settings: Settings) -> Polar:
+    """Find a yacht among the shipped and the sailor's own polars; say which files are broken."""
+    from seacruise.resources import resource_path
+    from seacruise.yacht.fleet import find_yacht, load_fleet
+
+    fleet = load_fleet([resource_path("polars"), settings.user_polars])
+    for problem in fleet.problems:
+        say(f"Note: {problem}")
+    return find_yacht(text, fleet)
+
+
+def find_ends(arguments: argparse.Namespace) -> tuple[Port, Port]:
+    """Find the two ports that were named."""
+    from seacruise.ports import find_port, load_ports
+
+    ports = load_ports()
+    return find_port(arguments.start, ports), find_port(arguments.end, ports)
+
+
+def fetch(arguments: argparse.Namespace, start: Port, end: Port, *, settings: Settings, job: Job) -> Wind:
+    """Get the wind for a passage from the sources that were named.
+
+    The sea is only asked for when a weather service has to know which of its points are worth a request.
+    """
+    from seacruise.weather.source import SERVICE_MARGIN_DEG, fetch_wind
+
+    def is_water(lat: Any, lon: Any) -> Any:
+        from seacruise.sea import Sea
+
+        ends = ([start.lat, end.lat], [start.lon, end.lon])
+        sea = Sea.around(*ends, margin_deg=2 * SERVICE_MARGIN_DEG, cache_dir=settings.cache_dir)
+        return sea.is_water(lat, lon)
+
+    return fetch_wind(
+        arguments.forecast or ["auto"],
+        start=(start.lat, start.lon),
+        end=(end.lat, end.lon),
+        departure=arguments.depart,
+        settings=settings,
+        job=job,
+        is_water=is_water,
+    )

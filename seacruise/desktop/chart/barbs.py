@@ -1,0 +1,130 @@
+"""Wind barbs after the rules of the WMO.
+
+The shaft points to where the wind comes FROM. A half feather is 5 knots, a full one 10, a pennant 50; a
+circle is a calm. Feathers stand on the side of low pressure: clockwise of the shaft on the northern
+hemisphere, anticlockwise on the southern (Manual on the GDPFS, WMO-No. 485, appendix II-4).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Final
+
+from PySide6.QtCore import QLineF, QPointF, QSize, Qt
+from PySide6.QtGui import QColor, QPainter, QPen, QPixmap, QPolygonF
+
+SHAFT_PX: Final = 30.0
+_FEATHER_PX: Final = 11.0
+_SLANT_PX: Final = 4.0
+_STEP_PX: Final = 4.6
+_PENNANT_PX: Final = 6.5
+_SIDE_PX: Final = 96
+_DIRECTIONS: Final = 72
+
+
+@dataclass(frozen=True, slots=True)
+class Barb:
+    """A barb for wind from north, station at the origin, y downwards [pixels]."""
+
+    lines: tuple[tuple[float, float, float, float], ...]
+    pennants: tuple[tuple[tuple[float, float], tuple[float, float], tuple[float, float]], ...]
+    calm: bool
+
+
+def barb_counts(speed_kn: float) -> tuple[int, int, int]:
+    """Pennants, full and half feathers of a speed [kn], rounded to the nearest five."""
+    rest = int(speed_kn / 5.0 + 0.5)
+    pennants, rest = divmod(rest, 10)
+    full, half = divmod(rest, 2)
+    return pennants, full, half
+
+
+@lru_cache(maxsize=64)
+def make_barb(fives: int, side: int = 1) -> Barb:
+    """Geometry of a barb.
+
+    Parameters
+    ----------
+    fives
+        Speed in units of five knots.
+    side
+        1 on the northern hemisphere, -1 on the southern.
+    """
+    pennants, full, half = barb_counts(5.0 * fives)
+    if not fives:
+        return Barb((), (), calm=True)
+    lines = [(0.0, 0.0, 0.0, -SHAFT_PX)]
+    triangles = []
+    y = -SHAFT_PX
+    for _ in range(pennants):
+        triangles.append(((0.0, y), (side * _FEATHER_PX, y), (0.0, y + _PENNANT_PX)))
+        y += _PENNANT_PX
+    if pennants:
+        y += _STEP_PX / 2
+    for _ in range(full):
+        lines.append((0.0, y, side * _FEATHER_PX, y - _SLANT_PX))
+        y += _STEP_PX
+    if half:
+        if not pennants and not full:
+            # A single half feather at the tip would be taken for a full one of a bent shaft.
+            y += _STEP_PX
+        lines.append((0.0, y, side * _FEATHER_PX / 2, y - _SLANT_PX / 2))
+    return Barb(tuple(lines), tuple(triangles), calm=False)
+
+
+def direction_class(direction_from_deg: float) -> int:
+    """Number of the sprite for a direction [degrees true]; every five degrees there is one."""
+    return round(direction_from_deg / 360.0 * _DIRECTIONS) % _DIRECTIONS
+
+
+class BarbSprites:
+    """Ready-made pictures of barbs: three hundred of them are on the chart in a millisecond.
+
+    Parameters
+    ----------
+    colour, halo
+        Of the strokes, and of the light rim that keeps them legible on any ground.
+    """
+
+    def __init__(self, colour: QColor, halo: QColor) -> None:
+        self._colour = colour
+        self._halo = halo
+        self._sprites: dict[tuple[int, int, int, float], QPixmap] = {}
+
+    def sprite(self, fives: int, direction: int, *, side: int, density: float) -> QPixmap:
+        """Square picture with the station in its middle."""
+        key = (fives, 0 if fives == 0 else direction, side, density)
+        if (known := self._sprites.get(key)) is not None:
+            return known
+        pixmap = QPixmap(QSize(_SIDE_PX, _SIDE_PX) * density)
+        pixmap.setDevicePixelRatio(density)
+        pixmap.fill(Qt.GlobalColor.transparent)
+        painter = QPainter(pixmap)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.translate(_SIDE_PX / 2, _SIDE_PX / 2)
+        painter.rotate(direction * 360.0 / _DIRECTIONS)
+        for colour, width in ((self._halo, 3.4), (self._colour, 1.5)):
+            _stroke(painter, make_barb(fives, side), colour, width)
+        painter.end()
+        self._sprites[key] = pixmap
+        return pixmap
+
+    @property
+    def offset(self) -> float:
+        """From the corner of a sprite to its station [pixels]."""
+        return _SIDE_PX / 2
+
+
+def _stroke(painter: QPainter, barb: Barb, colour: QColor, width: float) -> None:
+    pen = QPen(colour, width, Qt.PenStyle.SolidLine, Qt.PenCapStyle.RoundCap, Qt.PenJoinStyle.RoundJoin)
+    painter.setPen(pen)
+    if barb.calm:
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.drawEllipse(QPointF(0, 0), 4.0, 4.0)
+        return
+    painter.drawLines([QLineF(*line) for line in barb.lines])
+    painter.setBrush(colour)
+    for triangle in barb.pennants:
+        painter.drawPolygon(QPolygonF([QPointF(*corner) for corner in triangle]))
+    painter.drawEllipse(QPointF(0, 0), 0.8, 0.8)

@@ -1,0 +1,215 @@
+"""Picture of coast and lattice for a view, painted on a worker thread in small steps.
+
+`QPainter` keeps Python's lock while it fills a path: one coast of 140,000 points would hold the window
+up for 0.9 s. Cell by cell it is a millisecond at a time.
+"""
+
+from __future__ import annotations
+
+import math
+import threading
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+import shiboken6
+from numpy.typing import NDArray
+from PySide6.QtCore import QLineF, QRect, QRectF, Qt
+from PySide6.QtGui import QBrush, QImage, QPainter, QPainterPath, QPen, QPolygonF, QTransform
+
+from seacruise.desktop.chart import palette
+from seacruise.desktop.chart.land import LandCells, Points, cell_box
+from seacruise.desktop.chart.plane import CHARTED, to_plane
+from seacruise.sea.coast import CHART_LEVELS
+
+if TYPE_CHECKING:
+    from seacruise.progress import Job
+
+_CELL_PX: Final = 220.0
+_DEEPEST: Final = 12
+_LEAST_PX: Final = 1.8
+_LEVEL_BELOW_M_PX: Final = (3600.0, 420.0)
+"""Metres of the Mercator plane a pixel [m] above which level 0, and above which level 1 is fine enough."""
+
+_LINES_A_STEP: Final = 500
+
+
+@dataclass(frozen=True, slots=True)
+class Extent:
+    """Part of the plane to be pictured, at a scale.
+
+    Attributes
+    ----------
+    left, top
+        Of the picture in the plane [m].
+    scale
+        Pixels (independent of the screen's density) per metre.
+    width, height
+        Pixels.
+    density
+        Physical pixels per pixel.
+    """
+
+    left: float
+    top: float
+    scale: float
+    width: int
+    height: int
+    density: float
+
+    def rectangle(self) -> QRectF:
+        """Pictured rectangle of the plane."""
+        return QRectF(self.left, self.top, self.width / self.scale, self.height / self.scale)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Picture:
+    """A painted extent."""
+
+    extent: Extent
+    image: QImage
+    lattice_shown: bool
+
+
+def polygon_of(ring: Points) -> QPolygonF:
+    """Qt polygon of ``(n, 2)`` points, written in one piece: a list of `QPointF` takes fifty times as long."""
+    polygon = QPolygonF()
+    polygon.resize(len(ring))
+    if len(ring):
+        memory = shiboken6.VoidPtr(polygon.data(), ring.size * 8, True)
+        np.frombuffer(memory, np.float64).reshape(-1, 2)[:] = ring
+    return polygon
+
+
+class Painter:
+    """Paints extents; keeps the cut coast."""
+
+    def __init__(self) -> None:
+        # A superseded worker may still be in its last cell when the next one begins.
+        self._lock = threading.Lock()
+        self._levels = [LandCells(level) for level in range(CHART_LEVELS)]
+        self._paths: dict[tuple[int, int, int, int], QPainterPath] = {}
+
+    def paint(self, extent: Extent, lattice: NDArray[np.float32] | None, job: Job) -> Picture:
+        """Paint coast and, when given, the lattice ``(n, 4)`` of lat1, lon1, lat2, lon2 [degrees].
+
+        Raises
+        ------
+        CancelledError
+            Another view is wanted meanwhile.
+        """
+        with self._lock:
+            return self._paint(extent, lattice, job)
+
+    def _paint(self, extent: Extent, lattice: NDArray[np.float32] | None, job: Job) -> Picture:
+        image = QImage(
+            round(extent.width * extent.density),
+            round(extent.height * extent.density),
+            QImage.Format.Format_RGB32,
+        )
+        image.setDevicePixelRatio(extent.density)
+        image.fill(palette.WATER)
+        painter = QPainter(image)
+        try:
+            self._paint_land(painter, extent, job)
+            _paint_uncharted(painter, extent)
+            if lattice is not None:
+                _paint_lattice(painter, extent, lattice, job)
+        finally:
+            painter.end()
+        return Picture(extent, image, lattice is not None)
+
+    def _paint_land(self, painter: QPainter, extent: Extent, job: Job) -> None:
+        metres = 1.0 / extent.scale
+        level = sum(metres < limit for limit in _LEVEL_BELOW_M_PX)
+        depth = round(math.log2(max(CHARTED.width() * extent.scale / _CELL_PX, 1.0)))
+        depth = min(depth, _DEEPEST)
+        pen = QPen(palette.SHORE, 1.0)
+        pen.setCosmetic(True)
+        brush = QBrush(palette.LAND)
+        view = extent.rectangle()
+        count = 2**depth
+        columns = _span(view.left(), view.right(), CHARTED.left(), CHARTED.width() / count, count)
+        rows = _span(view.top(), view.bottom(), CHARTED.top(), CHARTED.height() / count, count)
+        for column in columns:
+            for row in rows:
+                job.check()
+                path = self._path(level, depth, column, row)
+                if path.isEmpty():
+                    continue
+                west, north, east, south = cell_box(depth, column, row)
+                edges = [
+                    round((west - extent.left) * extent.scale),
+                    round((north - extent.top) * extent.scale),
+                    round((east - extent.left) * extent.scale),
+                    round((south - extent.top) * extent.scale),
+                ]
+                painter.resetTransform()
+                painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+                painter.setClipRect(QRect(edges[0], edges[1], edges[2] - edges[0], edges[3] - edges[1]))
+                painter.setTransform(
+                    QTransform.fromTranslate(-extent.left, -extent.top)
+                    * QTransform.fromScale(extent.scale, extent.scale)
+                )
+                painter.setPen(pen)
+                painter.setBrush(brush)
+                painter.drawPath(path)
+        painter.setClipping(False)
+        painter.resetTransform()
+
+    def _path(self, level: int, depth: int, column: int, row: int) -> QPainterPath:
+        key = (level, depth, column, row)
+        path = self._paths.get(key)
+        if path is None:
+            path = QPainterPath()
+            # At this depth a cell is about `_CELL_PX` wide, whatever the zoom is exactly.
+            least_m = _LEAST_PX * CHARTED.width() / 2**depth / _CELL_PX
+            for ring in self._levels[level].cell(depth, column, row).split(least_m):
+                path.addPolygon(polygon_of(ring))
+                path.closeSubpath()
+            if len(self._paths) > 4000:
+                self._paths.clear()
+            self._paths[key] = path
+        return path
+
+
+def _span(low: float, high: float, origin: float, size: float, count: int) -> range:
+    return range(max(0, math.floor((low - origin) / size)), min(count, math.floor((high - origin) / size) + 1))
+
+
+def _paint_uncharted(painter: QPainter, extent: Extent) -> None:
+    to_pixels = QTransform.fromTranslate(-extent.left, -extent.top) * QTransform.fromScale(
+        extent.scale, extent.scale
+    )
+    charted = to_pixels.mapRect(CHARTED)
+    beyond = QPainterPath()
+    beyond.addRect(QRectF(0, 0, extent.width, extent.height))
+    inner = QPainterPath()
+    inner.addRect(charted)
+    beyond = beyond.subtracted(inner)
+    painter.fillPath(beyond, palette.UNCHARTED)
+    painter.fillPath(beyond, QBrush(palette.UNCHARTED_HATCH, Qt.BrushStyle.BDiagPattern))
+    painter.setPen(QPen(palette.UNCHARTED_HATCH, 1.0))
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    painter.drawRect(charted)
+
+
+def _paint_lattice(painter: QPainter, extent: Extent, lattice: NDArray[np.float32], job: Job) -> None:
+    edges = np.asarray(lattice, dtype=np.float64)
+    x1, y1 = to_plane(edges[:, 0], edges[:, 1])
+    x2, y2 = to_plane(edges[:, 2], edges[:, 3])
+    lines = np.stack((x1 - extent.left, y1 - extent.top, x2 - extent.left, y2 - extent.top), axis=1)
+    lines *= extent.scale
+    right, bottom = float(extent.width), float(extent.height)
+    seen = (
+        (np.maximum(lines[:, 0], lines[:, 2]) >= 0)
+        & (np.minimum(lines[:, 0], lines[:, 2]) <= right)
+        & (np.maximum(lines[:, 1], lines[:, 3]) >= 0)
+        & (np.minimum(lines[:, 1], lines[:, 3]) <= bottom)
+    )
+    lines = lines[seen]
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    painter.setPen(QPen(palette.LATTICE, 1.0))
+    for begin in range(0, len(lines), _LINES_A_STEP):
+        job.check()
+        painter.drawLines([QLineF(*line) for line in lines[begin : begin + _LINES_A_STEP].tolist()])

@@ -1,0 +1,104 @@
+"""Coast and lattice on the chart: the last picture at once, a fitting one as soon as it is painted."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import QPointF, QRectF
+from PySide6.QtGui import QPainter, QTransform
+
+from seacruise.desktop.chart import palette
+from seacruise.desktop.chart.layer import Layer
+
+if TYPE_CHECKING:
+    from seacruise.desktop.chart.basemap import Extent, Painter, Picture
+    from seacruise.desktop.jobs import JobRunner
+    from seacruise.progress import Job
+
+_MARGIN: Final = 0.3
+"""How much more than the view is painted to each side, so that panning has something to show."""
+
+
+class CoastLayer(Layer):
+    """Shows pictures of coast and lattice.
+
+    Parameters
+    ----------
+    runner
+        Paints them; nothing else may use it.
+    on_painted
+        Called when there is a new picture.
+    """
+
+    def __init__(self, bounds: QRectF, runner: JobRunner, on_painted: Callable[[], None]) -> None:
+        super().__init__(bounds)
+        self._runner = runner
+        self._on_painted = on_painted
+        self._painter: Painter | None = None
+        self._picture: Picture | None = None
+        self._wanted: Extent | None = None
+        self._lattice: NDArray[np.float32] | None = None
+        self._stale = True
+        runner.finished.connect(self._painted)
+
+    def show_lattice(self, edges: NDArray[np.float32] | None) -> None:
+        """Show the edges of a lattice ``(n, 4)``, or none."""
+        self._lattice = edges
+        self._stale = True
+
+    @property
+    def is_up_to_date(self) -> bool:
+        """Whether the picture is of the present view and lattice."""
+        return self._picture is not None and not self._stale and not self._runner.is_running
+
+    def demand(self, view: QRectF, scale: float, size: tuple[int, int], density: float) -> None:
+        """Ask for a picture of a view of the plane, unless there is one or it is being painted."""
+        current = self._wanted if self._runner.is_running else self._picture and self._picture.extent
+        fits = (
+            current is not None
+            and abs(current.scale / scale - 1.0) < 1e-9
+            and current.density == density
+            and current.rectangle().contains(view)
+        )
+        if fits and not self._stale:
+            return
+        from seacruise.desktop.chart.basemap import Extent, Painter
+
+        width, height = (round(side * (1 + 2 * _MARGIN)) for side in size)
+        extent = Extent(
+            left=view.center().x() - width / 2 / scale,
+            top=view.center().y() - height / 2 / scale,
+            scale=scale,
+            width=width,
+            height=height,
+            density=density,
+        )
+        self._painter = self._painter or Painter()
+        painter, lattice = self._painter, self._lattice
+        self._wanted, self._stale = extent, False
+
+        def work(job: Job) -> Any:
+            return painter.paint(extent, lattice, job)
+
+        self._runner.run_job(work)
+
+    def _painted(self, _generation: int, picture: Picture) -> None:
+        self._picture = picture
+        self._on_painted()
+
+    def draw(self, painter: QPainter, to_pixels: QTransform, view: QRectF) -> None:
+        """Draw the last picture where it belongs, stretched while a better one is painted."""
+        painter.fillRect(view, palette.WATER)
+        if self._picture is None:
+            return
+        extent = self._picture.extent
+        corner = to_pixels.map(QPointF(extent.left, extent.top))
+        stretch = to_pixels.m11() / extent.scale
+        if abs(stretch - 1.0) < 1e-9:
+            painter.drawImage(QPointF(round(corner.x()), round(corner.y())), self._picture.image)
+        else:
+            target = QRectF(corner.x(), corner.y(), extent.width * stretch, extent.height * stretch)
+            painter.drawImage(target, self._picture.image)

@@ -1,0 +1,91 @@
+"""Wind barbs at the slider's time, thinned to one per about sixty pixels."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+from PySide6.QtCore import QPointF, QRectF
+from PySide6.QtGui import QPainter, QTransform
+
+from seacruise.desktop.chart import palette
+from seacruise.desktop.chart.barbs import BarbSprites, direction_class
+from seacruise.desktop.chart.layer import Layer
+from seacruise.geodesy import from_mercator
+from seacruise.units import MS_PER_KNOT
+
+if TYPE_CHECKING:
+    from seacruise.weather.wind import Wind
+
+LEAST_PX: Final = 58.0
+_GROWTH: Final = math.sqrt(2.0)
+_REACH_PX: Final = 40.0
+
+
+def spacing_m(pixels_per_metre: float) -> float:
+    """Distance of barbs in the plane [m]: stations stay where they are while the chart is panned.
+
+    From one zoom to the next the distance grows by the root of two, so that barbs stand 58 to 82
+    pixels apart.
+    """
+    return 1000.0 * float(_GROWTH ** math.ceil(math.log(LEAST_PX / pixels_per_metre / 1000.0, _GROWTH)))
+
+
+class WindLayer(Layer):
+    """Barbs of a wind at a time."""
+
+    def __init__(self, bounds: QRectF) -> None:
+        super().__init__(bounds)
+        self._wind: Wind | None = None
+        self._time = 0.0
+        self._sprites = BarbSprites(palette.BARB, palette.HALO)
+        self._drawn: tuple[tuple[float, int, int, int, int, float], list[tuple[float, float, int, int, int]]]
+        self._drawn = ((0.0, 0, 0, 0, 0, 0.0), [])
+
+    def show_wind(self, wind: Wind | None, time: float) -> None:
+        """Show a wind at a time [s since 1970-01-01T00:00Z]."""
+        if wind is not self._wind:
+            self._drawn = ((0.0, 0, 0, 0, 0, 0.0), [])
+        self._wind, self._time = wind, time
+        self.update()
+
+    def draw(self, painter: QPainter, to_pixels: QTransform, view: QRectF) -> None:
+        """Draw the barbs whose stations are in view or just beyond."""
+        if self._wind is None:
+            return
+        back, _ = to_pixels.inverted()
+        seen = back.mapRect(view.adjusted(-_REACH_PX, -_REACH_PX, _REACH_PX, _REACH_PX))
+        density = painter.device().devicePixelRatio()
+        offset = self._sprites.offset
+        for x, y, fives, direction, side in self._stations(seen, spacing_m(to_pixels.m11())):
+            at = to_pixels.map(QPointF(x, y))
+            sprite = self._sprites.sprite(fives, direction, side=side, density=density)
+            painter.drawPixmap(QPointF(round(at.x() - offset), round(at.y() - offset)), sprite)
+
+    def _stations(self, seen: QRectF, step: float) -> list[tuple[float, float, int, int, int]]:
+        """Place, speed class, direction class and side of each barb; kept until something changes."""
+        columns = (math.ceil(seen.left() / step), math.floor(seen.right() / step))
+        rows = (math.ceil(seen.top() / step), math.floor(seen.bottom() / step))
+        key = (step, *columns, *rows, self._time)
+        if key == self._drawn[0]:
+            return self._drawn[1]
+        assert self._wind is not None
+        row, column = np.mgrid[rows[0] : rows[1] + 1, columns[0] : columns[1] + 1]
+        # every second row is shifted by half a step: an even cover without visible columns
+        x, y = ((column + 0.5 * (row % 2)) * step).ravel(), (row * step).ravel()
+        lat, lon = from_mercator(x, -y)
+        here = self._wind.covers(lat, lon)
+        x, y, lat, lon = x[here], y[here], lat[here], lon[here]
+        from seacruise.weather.wind import to_direction
+
+        speed, direction = to_direction(*self._wind.at(self._time, lat, lon))
+        fives = np.floor(speed / MS_PER_KNOT / 5.0 + 0.5).astype(int)
+        stations = [
+            (px, py, count, direction_class(degrees), -1 if south else 1)
+            for px, py, count, degrees, south in zip(
+                x.tolist(), y.tolist(), fives.tolist(), direction.tolist(), (lat < 0).tolist(), strict=True
+            )
+        ]
+        self._drawn = (key, stations)
+        return stations

@@ -1,0 +1,199 @@
+"""Day and hour of departure, UTC: the calendar offers the forecast's days; what is typed is never bent."""
+
+from __future__ import annotations
+
+from datetime import UTC, date, datetime, time
+
+from PySide6.QtCore import QDate, QLocale, QPoint, QSize, Qt, QTime, Signal
+from PySide6.QtWidgets import (
+    QAbstractSpinBox,
+    QCalendarWidget,
+    QDateEdit,
+    QFrame,
+    QGridLayout,
+    QHBoxLayout,
+    QTimeEdit,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from seacruise.desktop.banner import text_label
+from seacruise.desktop.style import icon
+from seacruise.desktop.state import Horizon
+from seacruise.errors import InputError
+
+
+def to_date(day: QDate) -> date:
+    """Python's date for Qt's."""
+    return date(day.year(), day.month(), day.day())
+
+
+def format_moment(moment: datetime) -> str:
+    """Day and time as the sailor's locale writes them, UTC."""
+    utc = moment.astimezone(UTC)
+    day = QLocale().toString(QDate(utc.year, utc.month, utc.day), "ddd d MMM yyyy")
+    return f"{day} {utc:%H:%M}"
+
+
+class DepartureField(QWidget):
+    """Date, calendar and time; ``changed()`` when the sailor picks another moment.
+
+    Qt's own calendar field would clamp a typed date to the range without a word. Here any date can be
+    typed; one that the forecast does not cover is said to be so, and refused when it is computed.
+    """
+
+    changed = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._horizon: Horizon | None = None
+        self._chosen = False
+        self._filling = False
+        self.date_edit = QDateEdit(self)
+        self.date_edit.setDisplayFormat("ddd d MMM yyyy")
+        self.date_edit.setButtonSymbols(QAbstractSpinBox.ButtonSymbols.NoButtons)
+        self.date_edit.setDateRange(QDate(1900, 1, 1), QDate(2199, 12, 31))
+        self.date_edit.setAccessibleName(self.tr("Date of departure, UTC"))
+        self.calendar_button = QToolButton(self)
+        self.calendar_button.setIcon(icon("calendar"))
+        self.calendar_button.setIconSize(QSize(18, 18))
+        self.calendar_button.setAccessibleName(self.tr("Choose the date of departure in a calendar"))
+        self.calendar_button.setToolTip(self.tr("Days that the forecast covers"))
+        self.calendar_button.clicked.connect(self.open_calendar)
+        self.time_edit = QTimeEdit(self)
+        self.time_edit.setDisplayFormat("HH:mm")
+        self.time_edit.setAccessibleName(self.tr("Time of departure, UTC"))
+        self.range_label = text_label("", "hint", self)
+        self._make_calendar()
+        row = QHBoxLayout()
+        row.setSpacing(6)
+        row.addWidget(self.date_edit, 1)
+        row.addWidget(self.calendar_button)
+        row.addWidget(self.time_edit)
+        layout = QGridLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setVerticalSpacing(4)
+        layout.addLayout(row, 0, 0)
+        layout.addWidget(self.range_label, 1, 0)
+        self.setFocusProxy(self.date_edit)
+        self.date_edit.dateChanged.connect(self._picked)
+        self.time_edit.timeChanged.connect(self._picked)
+        self._show_range()
+
+    def _make_calendar(self) -> None:
+        self.popup = QFrame(self, Qt.WindowType.Popup)
+        self.popup.setObjectName("card")
+        self.calendar = QCalendarWidget(self.popup)
+        self.calendar.setFirstDayOfWeek(QLocale().firstDayOfWeek())
+        self.calendar.setVerticalHeaderFormat(QCalendarWidget.VerticalHeaderFormat.NoVerticalHeader)
+        self.calendar.setGridVisible(False)
+        self.calendar.activated.connect(self._picked_in_calendar)
+        self.calendar.clicked.connect(self._picked_in_calendar)
+        inner = QVBoxLayout(self.popup)
+        inner.setContentsMargins(6, 6, 6, 6)
+        inner.addWidget(self.calendar)
+
+    # --- the moment ---------------------------------------------------------------------------------
+
+    @property
+    def moment(self) -> datetime:
+        """What is in the field, UTC."""
+        clock = self.time_edit.time()
+        return datetime.combine(
+            to_date(self.date_edit.date()), time(clock.hour(), clock.minute()), tzinfo=UTC
+        )
+
+    @property
+    def was_chosen(self) -> bool:
+        """Whether the sailor chose the moment; else it follows the forecast."""
+        return self._chosen
+
+    def require_moment(self) -> datetime:
+        """The moment, when the forecast covers it.
+
+        Raises
+        ------
+        InputError
+            It does not; the sentence tells the range.
+        """
+        if self._horizon is not None and not self._horizon.covers(self.moment):
+            raise InputError(
+                self.tr("The departure on {moment} UTC is not within the forecast, which covers {range}.").format(
+                    moment=format_moment(self.moment), range=self._range_text()
+                ),
+                reason="departure",
+            )
+        return self.moment
+
+    def set_moment(self, moment: datetime, *, chosen: bool) -> None:
+        """Fill in a moment; ``chosen`` by the sailor, it stays when the forecast changes."""
+        utc = moment.astimezone(UTC)
+        self._filling = True
+        self.date_edit.setDate(QDate(utc.year, utc.month, utc.day))
+        self.time_edit.setTime(QTime(utc.hour, utc.minute))
+        self._filling = False
+        self._chosen = chosen
+        self._show_range()
+        self.changed.emit()
+
+    def set_horizon(self, horizon: Horizon | None, now: datetime) -> None:
+        """Take over what the forecast covers; ``None`` while that is not known."""
+        self._horizon = horizon
+        self.calendar_button.setEnabled(horizon is not None)
+        if horizon is not None:
+            first, last = (m.astimezone(UTC) for m in (horizon.first, horizon.last))
+            self.calendar.setDateRange(
+                QDate(first.year, first.month, first.day), QDate(last.year, last.month, last.day)
+            )
+            if not self._chosen:
+                self.set_moment(horizon.default_departure(now), chosen=False)
+        self._show_range()
+
+    def use_first_hour(self, now: datetime) -> None:
+        """Move to the first full hour that can be sailed."""
+        if self._horizon is not None:
+            self.set_moment(self._horizon.default_departure(now), chosen=False)
+
+    # --- what is shown ------------------------------------------------------------------------------
+
+    def _range_text(self) -> str:
+        assert self._horizon is not None
+        return self.tr("{first} to {last} UTC").format(
+            first=format_moment(self._horizon.first), last=format_moment(self._horizon.last)
+        )
+
+    def _show_range(self) -> None:
+        wrong = self._horizon is not None and not self._horizon.covers(self.moment)
+        if self._horizon is None:
+            text = self.tr("UTC")
+        elif wrong:
+            text = self.tr("Not in the forecast, which covers {range}.").format(range=self._range_text())
+        else:
+            text = self.tr("UTC. The forecast covers {range}.").format(range=self._range_text())
+        self.range_label.setText(text)
+        self.range_label.setObjectName("fault" if wrong else "hint")
+        for widget in (self.date_edit, self.time_edit, self.range_label):
+            widget.setProperty("wrong", wrong)
+            widget.style().unpolish(widget)
+            widget.style().polish(widget)
+
+    def _picked(self) -> None:
+        if not self._filling:
+            self._chosen = True
+            self._show_range()
+            self.changed.emit()
+
+    def open_calendar(self) -> None:
+        """Open the calendar under the field."""
+        self.calendar.setSelectedDate(self.date_edit.date())
+        self.popup.adjustSize()
+        below = self.date_edit.mapToGlobal(QPoint(0, self.date_edit.height() + 3))
+        self.popup.move(below)
+        self.popup.show()
+        self.calendar.setFocus()
+
+    def _picked_in_calendar(self, day: QDate) -> None:
+        self.popup.hide()
+        self.date_edit.setDate(day)
+        self.date_edit.setFocus()

@@ -1,0 +1,175 @@
+"""What is said to the sailor when something is in the way: a title, one sentence, and a way out."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from datetime import datetime
+from enum import Enum
+from typing import TYPE_CHECKING, Final, Literal
+
+from PySide6.QtCore import QCoreApplication
+
+from seacruise.errors import NoPassageError
+
+if TYPE_CHECKING:
+    from seacruise.errors import SeaCruiseError
+    from seacruise.passage import Passage
+
+STALE_H: Final = 12.0
+"""Age of a forecast that is worth a warning [h]: services compute a new one every six hours."""
+
+
+class WayOut(Enum):
+    """What the window can do for the sailor about a trouble."""
+
+    NOTHING = ""
+    RETRY = "retry"
+    PRACTICE = "practice"
+    DEPARTURE = "departure"
+    SHOW_PLACE = "show-place"
+    ENGINE = "engine"
+
+
+@dataclass(frozen=True, slots=True)
+class Message:
+    """A banner: ``sentence`` says what was wrong and where, ``advice`` what to do."""
+
+    kind: Literal["info", "warning", "error"]
+    title: str
+    sentence: str
+    advice: str = ""
+    way_out: WayOut = WayOut.NOTHING
+
+
+def tr(text: str) -> str:
+    """Translate a text of this module."""
+    return QCoreApplication.translate("messages", text)
+
+
+def _known() -> dict[str, tuple[str, str, WayOut]]:
+    """Title, advice and way out by the reason of an error."""
+    return {
+        "bad-input": (tr("Please check the form"), "", WayOut.NOTHING),
+        "same-port": (
+            tr("Start and end are the same"),
+            tr("Type another destination, or use right-click on the chart."),
+            WayOut.NOTHING,
+        ),
+        "departure": (tr("The forecast does not cover this departure"), "", WayOut.DEPARTURE),
+        "becalmed": (
+            tr("No passage: becalmed"),
+            tr("Leave at another time, or let the engine help in light wind."),
+            WayOut.ENGINE,
+        ),
+        "no-water-path": (
+            tr("No passage: no way by water"),
+            tr("Choose a neighbouring port, or a position in open water."),
+            WayOut.SHOW_PLACE,
+        ),
+        "wind-limit": (
+            tr("No passage: too much wind"),
+            tr("Raise your limit of wind if the crew can stand it, or leave at another time."),
+            WayOut.SHOW_PLACE,
+        ),
+        "dead-angle": (
+            tr("No passage: dead against the wind"),
+            tr("Allow tacking, or leave at another time."),
+            WayOut.SHOW_PLACE,
+        ),
+        "outside-forecast": (
+            tr("No passage: outside the forecast"),
+            tr("Choose ports and a departure that the forecast covers."),
+            WayOut.DEPARTURE,
+        ),
+        "no-network": (
+            tr("No connection to the weather service"),
+            tr("Check the network and try again; until then there is practice weather."),
+            WayOut.RETRY,
+        ),
+        "timeout": (
+            tr("The weather service does not answer"),
+            tr("Try again in a moment; until then there is practice weather."),
+            WayOut.RETRY,
+        ),
+        "no-key": (
+            tr("Storm Glass needs a key"),
+            tr("Set STORMGLASS_API_KEY and start SeaCruise again; without a key there is practice weather."),
+            WayOut.PRACTICE,
+        ),
+        "bad-key": (
+            tr("Storm Glass does not accept the key"),
+            tr("Check STORMGLASS_API_KEY; until then there is practice weather."),
+            WayOut.PRACTICE,
+        ),
+        "quota": (
+            tr("Today's requests are spent"),
+            tr("The count starts again at 00:00 UTC; until then use a file or practice weather."),
+            WayOut.PRACTICE,
+        ),
+        "bad-response": (
+            tr("The weather cannot be used"),
+            tr("Try again later, or choose another forecast."),
+            WayOut.RETRY,
+        ),
+        "internal": (tr("Something went wrong inside SeaCruise"), "", WayOut.NOTHING),
+    }
+
+
+def message_for(error: SeaCruiseError) -> Message:
+    """Message for an error; its own sentence is always part of it."""
+    known = _known()
+    title, advice, way_out = known.get(error.reason) or (
+        tr("No passage") if isinstance(error, NoPassageError) else tr("That did not work"),
+        "",
+        WayOut.NOTHING,
+    )
+    if way_out is WayOut.SHOW_PLACE and getattr(error, "place", None) is None:
+        way_out = WayOut.NOTHING
+    return Message("error", title, str(error), advice, way_out)
+
+
+def way_out_text(way_out: WayOut) -> str:
+    """Words on the button."""
+    return {
+        WayOut.RETRY: tr("Try again"),
+        WayOut.PRACTICE: tr("Use practice weather"),
+        WayOut.DEPARTURE: tr("Use the first hour covered"),
+        WayOut.SHOW_PLACE: tr("Show the place"),
+        WayOut.ENGINE: tr("Motor below 3 kn"),
+    }.get(way_out, "")
+
+
+def notices_of(passage: Passage, now: datetime) -> list[Message]:
+    """What must be read with a passage, most important first."""
+    forecast = passage.forecast
+    messages = []
+    if forecast.notice:
+        messages.append(Message("warning", tr("Not a forecast for today"), forecast.notice))
+    elif forecast.issued is not None and (age := age_h(forecast.issued, now)) >= STALE_H:
+        messages.append(
+            Message(
+                "warning",
+                tr("The forecast is {age} old").format(age=format_age(age)),
+                tr("A newer one may change the passage; calculate again when you are online."),
+            )
+        )
+    messages += [
+        Message("info", "", sentence) for sentence in passage.notices if sentence != forecast.notice
+    ]
+    return messages
+
+
+def age_h(issued: datetime, now: datetime) -> float:
+    """Age of a forecast [h]."""
+    return max(0.0, (now - issued).total_seconds() / 3600.0)
+
+
+def format_age(hours: float) -> str:
+    """Write an age: minutes, hours, or days."""
+    if hours < 1.0:
+        return tr("{n} min").format(n=round(hours * 60))
+    if hours < 48.0:
+        return tr("{n} h").format(n=round(hours))
+    return tr("{n} days").format(n=round(hours / 24.0))
+
+

@@ -1,0 +1,575 @@
+"""One passage, from start to end: what is asked, what is answered, and how the rooms are joined.
+
+``PassageRequest -> Sea -> Lattice -> Wind -> search -> refine -> re-sail -> Passage``
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+from datetime import UTC, datetime, timedelta
+from typing import TYPE_CHECKING, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from seacruise.errors import InputError, NoPassageError
+from seacruise.geodesy import format_position, great_circle_m
+from seacruise.ports import Port
+from seacruise.progress import Job
+from seacruise.settings import Settings
+from seacruise.units import METRES_PER_NM, MS_PER_KNOT, SECONDS_PER_HOUR
+
+if TYPE_CHECKING:
+    from seacruise.routing.find import Fastest, How, LatticeCache, Ledger
+    from seacruise.routing.manoeuvres import Course
+    from seacruise.routing.resail import Resailed
+    from seacruise.sea import Sea, Snap
+    from seacruise.weather.wind import Forecast, Wind
+    from seacruise.yacht.polar import Polar
+
+SCHEMA = "seacruise.passage/1"
+
+Preset = Literal["precise", "classic"]
+
+
+@dataclass(frozen=True, slots=True)
+class Options:
+    """How to search; the defaults are the ``precise`` preset.
+
+    Attributes
+    ----------
+    directions
+        Courses of the first search (12, 24, 36, 60, 72, 108 or 132); ``None`` lets the preset choose.
+    spacing_nm
+        Distance of neighbouring lattice vertices [nm]; ``None`` lets the preset choose.
+    area
+        ``"ellipse"`` (provably large enough) or ``"rectangle"`` (R1: half a degree to each side).
+    refine
+        Search again in a corridor with more courses and finer spacing, then relax the waypoints.
+    tacking
+        Let the yacht make good the convex hull of her polar: beats and runs become passages.
+    percent_of_polar
+        Share of the polar's speed that this crew reaches [%].
+    motor_below_kn, motor_speed_kn
+        Start the engine when she would sail slower than this [kn], and the speed it gives [kn].
+    fuel_rate_l_h
+        Consumption under engine [l/h].
+    max_wind_kn
+        Never sail an edge on which the true wind exceeds this [kn].
+    """
+
+    preset: Preset = "precise"
+    directions: int | None = None
+    spacing_nm: float | None = None
+    area: Literal["ellipse", "rectangle"] | None = None
+    refine: bool = True
+    tacking: bool = True
+    percent_of_polar: float = 100.0
+    motor_below_kn: float | None = None
+    motor_speed_kn: float = 5.0
+    fuel_rate_l_h: float = 2.5
+    max_wind_kn: float | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class PassageRequest:
+    """What a sailor asks.
+
+    Attributes
+    ----------
+    departure
+        Timezone-aware; ``None`` means the next full hour that the forecast covers.
+    """
+
+    start: Port
+    end: Port
+    yacht: Polar
+    wind: Wind
+    departure: datetime | None = None
+    options: Options = field(default_factory=Options)
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """An end of a passage: the port that was asked for and the water from which one can sail.
+
+    Attributes
+    ----------
+    lat, lon
+        The snapped position [degrees], on water connected with the open sea.
+    snapped_nm
+        How far that is from the port's own position [nm].
+    """
+
+    name: str
+    lat: float
+    lon: float
+    port_lat: float
+    port_lon: float
+    snapped_nm: float
+
+
+@dataclass(frozen=True, slots=True)
+class Waypoint:
+    """A point of the passage, and the leg that begins there (``None`` throughout at the end).
+
+    Attributes
+    ----------
+    time
+        Timezone-aware UTC.
+    course_deg
+        Degrees true.
+    twa_deg
+        True wind angle at the begin of the leg, folded to 0-180; ``tack`` names the side.
+    tack
+        ``"port"`` or ``"starboard"``: the side the wind comes from; ``None`` under engine.
+    """
+
+    lat: float
+    lon: float
+    time: datetime
+    course_deg: float | None = None
+    leg_nm: float | None = None
+    boat_speed_kn: float | None = None
+    tws_kn: float | None = None
+    twd_deg: float | None = None
+    twa_deg: float | None = None
+    motor: bool | None = None
+    tack: Literal["port", "starboard"] | None = None
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Track:
+    """The passage as it was re-sailed, a sample every six minutes and at each waypoint; shapes ``(n,)``.
+
+    Attributes
+    ----------
+    time
+        Seconds since 1970-01-01T00:00Z.
+    leg
+        Index of the waypoint at which the present leg began.
+    """
+
+    time: NDArray[np.float64]
+    lat: NDArray[np.float64]
+    lon: NDArray[np.float64]
+    course_deg: NDArray[np.float64]
+    boat_speed_kn: NDArray[np.float64]
+    tws_kn: NDArray[np.float64]
+    twd_deg: NDArray[np.float64]
+    twa_deg: NDArray[np.float64]
+    motor: NDArray[np.bool_]
+    leg: NDArray[np.int64]
+
+
+@dataclass(frozen=True, slots=True)
+class Checks:
+    """What the finished passage was held against; see `seacruise.routing.resail`."""
+
+    resailed_h: float
+    land_free: bool
+    zones_free: bool
+    within_limits: bool
+
+
+@dataclass(frozen=True, slots=True)
+class SearchReport:
+    """How the passage was found: size of the search and seconds per stage."""
+
+    directions: int
+    spacing_nm: float
+    vertices: int
+    edges: int
+    settled: int
+    seconds: dict[str, float]
+
+
+@dataclass(frozen=True, slots=True)
+class Passage:
+    """The answer: a passage that was sailed again, leg by leg, before anyone is shown it.
+
+    Times are UTC. ``notices`` are sentences a sailor must read with it (snapped ports, held wind,
+    practice weather); ``lattice_edges`` are the edges searched first, ``(n, 4)`` as lat1, lon1, lat2,
+    lon2, for drawing.
+    """
+
+    start: Place
+    end: Place
+    yacht: str
+    departure: datetime
+    arrival: datetime
+    distance_nm: float
+    direct_distance_nm: float
+    waypoints: tuple[Waypoint, ...]
+    tacks: int
+    gybes: int
+    course_changes: int
+    max_tws_kn: float
+    motor_h: float
+    fuel_l: float
+    beyond_forecast_h: float
+    forecast: Forecast
+    lower_bound_h: float
+    checks: Checks
+    search: SearchReport
+    track: Track
+    notices: tuple[str, ...] = ()
+    lattice_edges: NDArray[np.float32] | None = field(default=None, repr=False, compare=False)
+
+    @property
+    def duration_h(self) -> float:
+        """Hours from departure to arrival."""
+        return (self.arrival - self.departure).total_seconds() / SECONDS_PER_HOUR
+
+    @property
+    def mean_speed_kn(self) -> float:
+        """Distance sailed by the hours it took [kn]."""
+        return self.distance_nm / self.duration_h if self.duration_h > 0 else 0.0
+
+
+SAME_PLACE_NM = 0.1
+"""Two ends nearer than this are the same port [nm]."""
+
+TELL_SNAP_NM = 0.1
+"""A port moved farther than this to reach water is worth a sentence [nm]."""
+
+_lattices: LatticeCache | None = None
+
+
+def sea_between(start: Port, end: Port, settings: Settings) -> Sea:
+    """The sea around two ports: wide enough for any passage between them."""
+    from seacruise.sea import Sea
+
+    away = float(great_circle_m(start.lat, start.lon, end.lat, end.lon)) / METRES_PER_NM / 60
+    return Sea.around(
+        (start.lat, end.lat), (start.lon, end.lon), margin_deg=1.0 + away / 2, cache_dir=settings.cache_dir
+    )
+
+
+def plan(request: PassageRequest, *, settings: Settings, job: Job = Job()) -> Passage:  # noqa: B008 - frozen
+    """Find the fastest passage and sail it again before showing it.
+
+    Parameters
+    ----------
+    request
+        Ports, yacht, wind, departure and how to search.
+    settings
+        Where the rasters of the sea are kept.
+    job
+        Receives the progress; its event cancels.
+
+    Raises
+    ------
+    InputError
+        Start and end are the same, or an option makes no sense.
+    NoPassageError
+        There is none; ``reason`` says why.
+    CancelledError
+        The job was cancelled.
+    """
+    from seacruise.routing.find import Ledger, fastest
+
+    ledger = Ledger()
+    _check_options(request.options)
+    departure = _departure(request)
+    job.report("sea", None, "Reading the sea")
+    sea, (start, end) = _waters(request, settings)
+    ledger.lap("sea")
+    _check_cover(request.wind, request.start, request.end)
+    how = _how(request.options)
+    found = fastest(
+        sea,
+        request.wind,
+        request.yacht,
+        how,
+        (start.lat, start.lon),
+        (end.lat, end.lon),
+        departure.timestamp(),
+        job=job,
+        ledger=ledger,
+        cache=_lattice_cache(),
+    )
+    job.check()
+    job.report("check", None, "Sailing the passage again")
+    course, sailed = _sail_again(request, sea, how, found, departure)
+    ledger.lap("check")
+    return _report(request, (start, end), departure, found, course, sailed, ledger)
+
+
+def _lattice_cache() -> LatticeCache:
+    from seacruise.routing.find import LatticeCache
+
+    global _lattices  # noqa: PLW0603 - lattices are big and the same for every window and thread
+    if _lattices is None:
+        _lattices = LatticeCache()
+    return _lattices
+
+
+def _check_options(options: Options) -> None:
+    if not 10.0 <= options.percent_of_polar <= 200.0:
+        raise InputError(f"{options.percent_of_polar:g} % of the polar is out of range; give 10 to 200.")
+    if options.spacing_nm is not None and not 0.05 <= options.spacing_nm <= 100.0:
+        raise InputError(f"A spacing of {options.spacing_nm:g} nm is out of range; give 0.05 to 100.")
+    if options.preset == "classic" and options.directions not in {None, 12}:
+        raise InputError("The classic preset has 12 courses; choose --preset precise for more.")
+    if options.max_wind_kn is not None and options.max_wind_kn <= 0:
+        raise InputError(
+            f"A wind limit of {options.max_wind_kn:g} kn leaves nothing to sail in; give more than 0."
+        )
+    if options.motor_below_kn is not None and (options.motor_below_kn < 0 or options.motor_speed_kn <= 0):
+        raise InputError(
+            "The engine needs a speed above 0 kn, and a boat speed of 0 kn or more to start below."
+        )
+
+
+def _departure(request: PassageRequest) -> datetime:
+    """The departure in UTC, within the forecast; by default its next full hour."""
+    forecast = request.wind.forecast
+    departure = request.departure
+    if departure is None:
+        now = datetime.now(UTC)
+        earliest = max(forecast.valid_from, now) if now <= forecast.valid_to else forecast.valid_from
+        departure = earliest.replace(minute=0, second=0, microsecond=0)
+        if departure < earliest:
+            departure += timedelta(hours=1)
+    elif departure.tzinfo is None:
+        raise InputError("The departure needs a time zone; give it in UTC, for example 2016-11-20T06:00Z.")
+    departure = departure.astimezone(UTC)
+    if not forecast.valid_from <= departure <= forecast.valid_to:
+        raise NoPassageError(
+            f"The departure {departure:%Y-%m-%d %H:%M} UTC is outside the forecast ({forecast.source}), which covers "
+            f"{forecast.valid_from:%Y-%m-%d %H:%M} to {forecast.valid_to:%Y-%m-%d %H:%M} UTC; choose a time within it.",
+            reason="outside-forecast",
+        )
+    return departure
+
+
+def _waters(request: PassageRequest, settings: Settings) -> tuple[Sea, tuple[Place, Place]]:
+    """The sea, and both ports moved to water."""
+    start, end = request.start, request.end
+    same = f"Start and end are the same place ({start.name}); choose two different ports."
+    if float(great_circle_m(start.lat, start.lon, end.lat, end.lon)) < SAME_PLACE_NM * METRES_PER_NM:
+        raise InputError(same)
+    sea = sea_between(start, end, settings)
+    places = tuple(_place(port, sea.snap(port.lat, port.lon, name=port.name)) for port in (start, end))
+    if float(great_circle_m(places[0].lat, places[0].lon, places[1].lat, places[1].lon)) < 1.0:
+        raise InputError(same)
+    return sea, (places[0], places[1])
+
+
+def _place(port: Port, snap: Snap) -> Place:
+    return Place(port.name, snap.lat, snap.lon, port.lat, port.lon, snap.distance_nm)
+
+
+def _check_cover(wind: Wind, *ports: Port) -> None:
+    for port in ports:
+        if not bool(wind.covers(port.lat, port.lon)):
+            raise NoPassageError(
+                f"The wind ({wind.forecast.source}) does not reach {port.name} "
+                f"({format_position(port.lat, port.lon)}); choose a forecast that covers both ports.",
+                reason="outside-forecast",
+                place=(port.lat, port.lon),
+            )
+
+
+def _how(options: Options) -> How:
+    from seacruise.routing.field import handling_in_knots
+    from seacruise.routing.find import How
+
+    is_classic = options.preset == "classic"
+    return How(
+        preset=options.preset,
+        directions=options.directions,
+        spacing_nm=options.spacing_nm,
+        area="rectangle" if is_classic else options.area,
+        refine=options.refine and not is_classic,
+        handling=handling_in_knots(
+            tacking=options.tacking and not is_classic,
+            percent=options.percent_of_polar,
+            motor_below_kn=options.motor_below_kn,
+            motor_speed_kn=options.motor_speed_kn,
+            max_wind_kn=options.max_wind_kn,
+        ),
+    )
+
+
+def _sail_again(
+    request: PassageRequest, sea: Sea, how: How, found: Fastest, departure: datetime
+) -> tuple[Course, Resailed]:
+    """Put in the tacks and sail the passage by independent code.
+
+    Without tacking a leg found possible hour by hour may still lead through the dead angle between
+    looks; rather than show a time nobody sailed, such a passage is tacked where it must be.
+    """
+    from dataclasses import replace
+
+    from seacruise.routing.manoeuvres import Course, merge_straight, sail_boards
+    from seacruise.routing.resail import resail
+
+    line = found.line
+    never = np.zeros(line.x.size - 1, dtype=bool)
+    if how.handling.tacking:
+        course = sail_boards(line.x, line.y, line.times, sea, request.wind, request.yacht)
+    else:
+        course = merge_straight(Course(line.x, line.y, never))
+    rate = request.options.fuel_rate_l_h
+    t = departure.timestamp()
+    sailed = resail(course, t, sea, request.wind, request.yacht, how.handling, fuel_rate_l_h=rate)
+    if not sailed.arrived:
+        course = replace(
+            course,
+            short_tacked=~never[: course.x.size - 1]
+            if not how.handling.tacking
+            else np.ones(course.x.size - 1, dtype=bool),
+        )
+        handling = replace(how.handling, tacking=True)
+        sailed = resail(course, t, sea, request.wind, request.yacht, handling, fuel_rate_l_h=rate)
+    if not sailed.arrived:
+        raise NoPassageError(
+            "The passage that was found cannot be sailed to its end: the yacht is becalmed under way. Leave at "
+            "another time or allow the engine (--motor-below).",
+            reason="becalmed",
+            place=(float(sailed.lat[-1]), float(sailed.lon[-1])),
+        )
+    return course, sailed
+
+
+def _report(
+    request: PassageRequest,
+    ends: tuple[Place, Place],
+    departure: datetime,
+    found: Fastest,
+    course: Course,
+    sailed: Resailed,
+    ledger: Ledger,
+) -> Passage:
+    """Put the answer together."""
+    from seacruise.routing.bound import lower_bound_s
+    from seacruise.routing.manoeuvres import count_turns, true_length_nm
+
+    wind, begin = request.wind, departure.timestamp()
+    seconds = float(sailed.time[-1]) - begin
+    legs = true_length_nm(course.x, course.y)
+    at = sailed.at[:-1]
+    motor = sailed.motor[at]
+    tacks, gybes = count_turns(sailed.course_deg[at], sailed.twd_deg[at], ~motor)
+    horizon = max(request.wind.forecast.valid_to.timestamp(), begin)
+    start, end = ends
+    grid = found.lattice
+    bound = lower_bound_s(
+        wind, found.speeds, (start.lat, start.lon), (end.lat, end.lon), departure=begin, found_s=seconds
+    )
+    ledger.lap("check")
+    source = grid.sources()
+    edges = np.stack(
+        [grid.lat[source], grid.lon[source], grid.lat[grid.target], grid.lon[grid.target]], axis=1
+    )
+    return Passage(
+        start=start,
+        end=end,
+        yacht=request.yacht.name,
+        departure=departure,
+        arrival=departure + timedelta(seconds=seconds),
+        distance_nm=float(legs.sum()),
+        direct_distance_nm=float(great_circle_m(start.lat, start.lon, end.lat, end.lon)) / METRES_PER_NM,
+        waypoints=_waypoints(course, sailed, legs),
+        tacks=tacks,
+        gybes=gybes,
+        course_changes=len(legs) - 1,
+        max_tws_kn=float(sailed.tws.max()) / MS_PER_KNOT,
+        motor_h=sailed.motor_s / SECONDS_PER_HOUR,
+        fuel_l=sailed.fuel_l,
+        beyond_forecast_h=max(0.0, begin + seconds - horizon) / SECONDS_PER_HOUR,
+        forecast=wind.forecast,
+        lower_bound_h=bound / SECONDS_PER_HOUR,
+        checks=Checks(seconds / SECONDS_PER_HOUR, sailed.land_free, True, sailed.within_limits),
+        search=SearchReport(
+            ledger.directions,
+            ledger.spacing_nm,
+            ledger.vertices,
+            ledger.edges,
+            ledger.settled,
+            dict(ledger.seconds),
+        ),
+        track=_track(sailed),
+        notices=_notices(request, ends, begin + seconds - horizon, course, legs),
+        lattice_edges=edges.astype(np.float32),
+    )
+
+
+def _signed_twa(twd_deg: float, course_deg: float) -> float:
+    return (twd_deg - course_deg + 180.0) % 360.0 - 180.0
+
+
+def _waypoints(course: Course, sailed: Resailed, legs: NDArray[np.float64]) -> tuple[Waypoint, ...]:
+    points = []
+    for k, a in enumerate(sailed.at):
+        when = datetime.fromtimestamp(float(sailed.time[a]), UTC)
+        if k == legs.size:
+            points.append(Waypoint(float(sailed.lat[a]), float(sailed.lon[a]), when))
+            break
+        hours = float(sailed.time[sailed.at[k + 1]] - sailed.time[a]) / SECONDS_PER_HOUR
+        twa = _signed_twa(float(sailed.twd_deg[a]), float(sailed.course_deg[a]))
+        motor = bool(np.mean(sailed.motor[a : sailed.at[k + 1]]) > 0.5)
+        points.append(
+            Waypoint(
+                float(sailed.lat[a]),
+                float(sailed.lon[a]),
+                when,
+                course_deg=float(sailed.course_deg[a]),
+                leg_nm=float(legs[k]),
+                boat_speed_kn=float(legs[k]) / hours if hours > 0 else 0.0,
+                tws_kn=float(sailed.tws[a]) / MS_PER_KNOT,
+                twd_deg=float(sailed.twd_deg[a]),
+                twa_deg=abs(twa),
+                motor=motor,
+                tack=None if motor else "starboard" if twa >= 0 else "port",
+            )
+        )
+    return tuple(points)
+
+
+def _track(sailed: Resailed) -> Track:
+    twa = np.abs((sailed.twd_deg - sailed.course_deg + 180.0) % 360.0 - 180.0)
+    return Track(
+        sailed.time,
+        sailed.lat,
+        sailed.lon,
+        sailed.course_deg,
+        sailed.speed / MS_PER_KNOT,
+        sailed.tws / MS_PER_KNOT,
+        sailed.twd_deg,
+        twa,
+        sailed.motor,
+        sailed.leg,
+    )
+
+
+def _notices(
+    request: PassageRequest,
+    ends: tuple[Place, Place],
+    beyond_s: float,
+    course: Course,
+    legs: NDArray[np.float64],
+) -> tuple[str, ...]:
+    """Sentences that a sailor must read with the passage."""
+    said = [request.wind.forecast.notice] if request.wind.forecast.notice else []
+    for place, verb in zip(ends, ("begins", "ends"), strict=True):
+        if place.snapped_nm > TELL_SNAP_NM:
+            said.append(
+                f"The passage {verb} {place.snapped_nm:.1f} nm from {place.name}, at the nearest water "
+                "of the chart that is connected with the open sea."
+            )
+    if beyond_s > 60.0:
+        said.append(
+            f"The last {math.ceil(beyond_s / SECONDS_PER_HOUR)} h are sailed in the last known wind, held beyond "
+            "the end of the forecast."
+        )
+    narrow = float(legs[course.short_tacked].sum())
+    if narrow > 0.05:
+        said.append(
+            f"{narrow:.1f} nm are a beat or run in water too narrow to plan the boards; they are reckoned at the "
+            "speed made good."
+        )
+    return tuple(said)

@@ -1,0 +1,272 @@
+"""Compiled loops of the search: wind and polar looked up, edges sailed, labels settled.
+
+Everything here works on plain arrays. Names used throughout:
+
+``wind``
+    ``(u, v, t0, step, lat0, per_lat, lon0, per_lon)``: u, v ``(k, y, x)`` float32 [m/s], constant during
+    each slice of ``step`` seconds from ``t0``; the last slice holds for ever.
+``speeds``
+    ``(table, per_tws)``: ``(w, c)`` float32 boat speed [m/s]; rows by TWS in steps of ``1 / per_tws``,
+    columns by the cosine of the TWA from -1 to 1; negative where the limits forbid to sail.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from seacruise.compiled import inlined, kernel
+
+STILL = 1e-6
+"""Slower than this [m/s] is not moving."""
+
+
+@inlined
+def boat_speed(u, v, east, north, speeds):
+    """Speed [m/s] on the course with direction cosines ``east, north`` in a wind u, v."""
+    table, per_tws = speeds
+    tws = np.sqrt(u * u + v * v)
+    cosine = -(u * east + v * north) / tws if tws > 1e-9 else 0.0
+    row = min(tws * per_tws, table.shape[0] - 1.000001)
+    column = min(max((cosine + 1.0) * 0.5 * (table.shape[1] - 1), 0.0), table.shape[1] - 1.000001)
+    r, c = int(row), int(column)
+    fr, fc = row - r, column - c
+    a, b, d, e = table[r, c], table[r, c + 1], table[r + 1, c], table[r + 1, c + 1]
+    if min(min(a, b), min(d, e)) < 0.0:
+        return -1.0
+    return (a * (1 - fc) + b * fc) * (1 - fr) + (d * (1 - fc) + e * fc) * fr
+
+
+@inlined
+def sail_line(t, lat0, lon0, lat1, lon1, length, east, north, piece, wind, speeds):
+    """Arrival [s] at the end of a straight leg of ``length`` metres left at time ``t``; inf if never.
+
+    The leg is cut into pieces; the wind of each is that of its middle, and it changes with every slice
+    of time that the piece takes. Speed then depends on time alone, so sailing a piece is solved exactly,
+    and who leaves later can never arrive earlier (FIFO), through calms and squalls alike.
+    """
+    u, v, t0, step, south, per_lat, west, per_lon = wind
+    slices, rows, columns = u.shape
+    pieces = int(length / piece) + 1
+    k = min(max(int((t - t0) / step), 0), slices - 1)
+    while k < slices - 1 and t0 + (k + 1) * step <= t:
+        k += 1
+    for p in range(pieces):
+        f = (p + 0.5) / pieces
+        y = min(max((lat0 + (lat1 - lat0) * f - south) * per_lat, 0.0), rows - 1.0)
+        x = min(max((lon0 + (lon1 - lon0) * f - west) * per_lon, 0.0), columns - 1.0)
+        r, c = min(int(y), rows - 2), min(int(x), columns - 2)
+        fy, fx = y - r, x - c
+        w00, w01, w10, w11 = (1 - fy) * (1 - fx), (1 - fy) * fx, fy * (1 - fx), fy * fx
+        rest = length / pieces
+        while True:
+            uu = u[k, r, c] * w00 + u[k, r, c + 1] * w01 + u[k, r + 1, c] * w10 + u[k, r + 1, c + 1] * w11
+            vv = v[k, r, c] * w00 + v[k, r, c + 1] * w01 + v[k, r + 1, c] * w10 + v[k, r + 1, c + 1] * w11
+            speed = boat_speed(uu, vv, east, north, speeds)
+            if speed < 0.0:
+                return np.inf
+            if k == slices - 1:
+                if speed <= STILL:
+                    return np.inf
+                t += rest / speed
+                break
+            until = t0 + (k + 1) * step
+            if speed * (until - t) >= rest:
+                t += rest / speed
+                break
+            rest -= speed * (until - t)
+            t = until
+            k += 1
+    return t
+
+
+@inlined
+def sail_edge(t, a, b, points, piece, wind, speeds):
+    """`sail_line` from vertex a to b of ``points`` = (x, y, lat, lon, scale), each ``(n,)``."""
+    x, y, lat, lon, scale = points
+    dx, dy = x[b] - x[a], y[b] - y[a]
+    span = np.sqrt(dx * dx + dy * dy)
+    if span == 0.0:
+        return t
+    length = span * 0.5 * (scale[a] + scale[b])
+    return sail_line(t, lat[a], lon[a], lat[b], lon[b], length, dx / span, dy / span, piece, wind, speeds)
+
+
+@kernel
+def edge_arrival(t, a, b, points, piece, wind, speeds):
+    """`sail_edge` for callers outside compiled code: the reference search and the tests."""
+    return sail_edge(t, a, b, points, piece, wind, speeds)
+
+
+@inlined
+def _sift_up(heap, keys, place, k):
+    vertex = heap[k]
+    key = keys[vertex]
+    while k > 0:
+        above = (k - 1) >> 2
+        other = heap[above]
+        if keys[other] < key or (keys[other] == key and other < vertex):
+            break
+        heap[k] = other
+        place[other] = k
+        k = above
+    heap[k] = vertex
+    place[vertex] = k
+
+
+@inlined
+def _sift_down(heap, keys, place, size):
+    k = 0
+    vertex = heap[0]
+    key = keys[vertex]
+    while True:
+        first = 4 * k + 1
+        if first >= size:
+            break
+        best = first
+        for child in range(first + 1, min(first + 4, size)):
+            if keys[heap[child]] < keys[heap[best]] or (
+                keys[heap[child]] == keys[heap[best]] and heap[child] < heap[best]
+            ):
+                best = child
+        other = heap[best]
+        if key < keys[other] or (key == keys[other] and vertex < other):
+            break
+        heap[k] = other
+        place[other] = k
+        k = best
+    heap[k] = vertex
+    place[vertex] = k
+
+
+@kernel
+def search(start, end, departure, latest, ahead, points, edges, piece, wind, speeds):
+    """Time-dependent Dijkstra, goal-directed (A*), with an indexed 4-ary heap in an array.
+
+    Parameters
+    ----------
+    start, end
+        Vertices; ``end < 0`` settles everything that is reached before ``latest``.
+    ahead
+        ``(n,)`` consistent lower bound of the time from each vertex to the end [s]; zeros for Dijkstra.
+    edges
+        ``(first, target)``: compressed sparse rows.
+
+    Returns
+    -------
+    arrival, before, settled, relaxed
+        ``(n,)`` earliest arrival [s] (inf where not reached), ``(n,)`` previous vertex (-1), and counts.
+    """
+    first, target = edges
+    n = first.size - 1
+    arrival = np.full(n, np.inf)
+    keys = np.full(n, np.inf)
+    before = np.full(n, -1, dtype=np.int32)
+    heap = np.empty(n, dtype=np.int32)
+    place = np.full(n, -1, dtype=np.int32)
+    done = np.zeros(n, dtype=np.bool_)
+    arrival[start] = departure
+    keys[start] = departure + ahead[start]
+    heap[0] = start
+    place[start] = 0
+    size = 1
+    settled = 0
+    relaxed = 0
+    while size > 0:
+        a = heap[0]
+        size -= 1
+        if size > 0:
+            heap[0] = heap[size]
+            _sift_down(heap, keys, place, size)
+        done[a] = True
+        settled += 1
+        if a == end or keys[a] > latest:
+            break
+        t = arrival[a]
+        for e in range(first[a], first[a + 1]):
+            b = target[e]
+            if done[b]:
+                continue
+            relaxed += 1
+            then = sail_edge(t, a, b, points, piece, wind, speeds)
+            if then < arrival[b] or (then == arrival[b] and then < np.inf and a < before[b]):
+                if place[b] < 0:
+                    heap[size] = b
+                    place[b] = size
+                    size += 1
+                arrival[b] = then
+                before[b] = a
+                keys[b] = then + ahead[b]
+                _sift_up(heap, keys, place, place[b])
+    return arrival, before, settled, relaxed
+
+
+@kernel
+def sort_rows(source, count):
+    """Stable order of edges by their source vertex, and the first edge of each: a counting sort."""
+    first = np.zeros(count + 1, dtype=np.int64)
+    for k in range(source.size):
+        first[source[k] + 1] += 1
+    for k in range(count):
+        first[k + 1] += first[k]
+    free = first[:-1].copy()
+    order = np.empty(source.size, dtype=np.int64)
+    for k in range(source.size):
+        order[free[source[k]]] = k
+        free[source[k]] += 1
+    return first, order
+
+
+@kernel
+def reachable(first, target, start):
+    """Vertices that hang together with ``start``, whatever the wind."""
+    seen = np.zeros(first.size - 1, dtype=np.bool_)
+    stack = np.empty(first.size - 1, dtype=np.int64)
+    seen[start] = True
+    stack[0] = start
+    top = 1
+    while top > 0:
+        top -= 1
+        a = stack[top]
+        for e in range(first[a], first[a + 1]):
+            b = target[e]
+            if not seen[b]:
+                seen[b] = True
+                stack[top] = b
+                top += 1
+    return seen
+
+
+EARTH_RADIUS = 6_371_008.8
+
+
+@inlined
+def _latitude(y):
+    return np.degrees(np.arctan(np.sinh(y / EARTH_RADIUS)))
+
+
+@inlined
+def sail_rhumb(t, x0, y0, x1, y1, piece, wind, speeds):
+    """`sail_line` along the rhumb line between two points of the Mercator plane [m]."""
+    dx, dy = x1 - x0, y1 - y0
+    span = np.sqrt(dx * dx + dy * dy)
+    if span < 1e-6:
+        return t
+    lat0, lat1 = _latitude(y0), _latitude(y1)
+    if abs(dy) > 1.0:
+        length = span * EARTH_RADIUS * np.radians(lat1 - lat0) / dy
+    else:
+        length = span * np.cos(np.radians(0.5 * (lat0 + lat1)))
+    per_degree = 180.0 / (np.pi * EARTH_RADIUS)
+    return sail_line(
+        t, lat0, x0 * per_degree, lat1, x1 * per_degree, length, dx / span, dy / span, piece, wind, speeds
+    )
+
+
+@kernel
+def sail_legs(t, x, y, piece, wind, speeds):
+    """Arrival [s] at each of the waypoints ``(n,)`` of a line of rhumb legs, left at time ``t``."""
+    arrival = np.empty(x.size)
+    arrival[0] = t
+    for k in range(1, x.size):
+        arrival[k] = sail_rhumb(arrival[k - 1], x[k - 1], y[k - 1], x[k], y[k], piece, wind, speeds)
+    return arrival

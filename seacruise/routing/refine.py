@@ -1,0 +1,172 @@
+"""From a lattice path to a passage a person would steer: corridor, more courses, waypoints relaxed.
+
+The first search looks at the whole area with few courses. A lattice's error is one of direction, not of
+resolution, so the next one has many courses and finer spacing, but only in a corridor around what was
+found. Then the waypoints leave the lattice: each is moved, dropped or put in until nothing is gained.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from seacruise.geodesy import from_mercator, great_circle_m, scale, to_mercator
+from seacruise.progress import Job
+from seacruise.routing import lattice as lattices
+from seacruise.routing import stencil
+from seacruise.routing.field import SpeedTable, WindField
+from seacruise.routing.lattice import Area, Lattice, Levels
+from seacruise.routing.search import search
+from seacruise.sea import Sea
+from seacruise.units import METRES_PER_NM
+
+Array = NDArray[np.float64]
+
+PIECE_M: Final = 2 * METRES_PER_NM
+"""Longest part of a leg that is sailed in the wind of its middle while relaxing [m]."""
+
+STEPS_NM: Final = (4.0, 2.0, 1.0, 0.5, 0.25, 0.1, 0.05)
+LEGS_NM: Final = (16.0, 12.0, 10.0, 10.0, 10.0, 10.0, 10.0)
+"""Trial moves of the waypoints, and the longest legs while they are made [nm]."""
+
+ROUNDS: Final = 10
+
+SIMPLIFY: Final = 0.0004
+"""Share of the duration that may be given for fewer waypoints: steering 50 courses helps nobody."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Line:
+    """A passage as a line of waypoints of the Mercator plane [m] and the arrival at each [s since 1970]."""
+
+    x: Array
+    y: Array
+    times: Array
+
+    @property
+    def seconds(self) -> float:
+        """How long it takes [s]."""
+        return float(self.times[-1] - self.times[0])
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Waters:
+    """The sea, the wind and the yacht of one passage, as the kernels want them."""
+
+    sea: Sea
+    field: WindField
+    speeds: SpeedTable
+
+    @property
+    def frame(self) -> tuple[float, float, float]:
+        """Corner and cell of the sea's raster [m of the plane]."""
+        return self.sea.water.x0, self.sea.water.y0, self.sea.water.cell
+
+
+def timed(waters: Waters, x: Array, y: Array, departure: float) -> Line:
+    """Sail a line with the search's own integrator."""
+    from seacruise.routing import _kernels as k
+
+    times = k.sail_legs(departure, x, y, PIECE_M, waters.field.arrays, waters.speeds.arrays)
+    return Line(x, y, times)
+
+
+def relaxed(waters: Waters, line: Line) -> Line:
+    """Pull a line straight in time; never slower than before."""
+    from seacruise.routing import _relax
+
+    per_nm = METRES_PER_NM / float(scale(from_mercator(0.0, line.y.mean())[0]))
+    x, y = _relax.relax(
+        line.x,
+        line.y,
+        float(line.times[0]),
+        np.array(STEPS_NM) * per_nm,
+        ROUNDS,
+        np.array(LEGS_NM) * per_nm,
+        0.5,
+        PIECE_M,
+        waters.sea.water.arrays,
+        waters.frame,
+        waters.field.arrays,
+        waters.speeds.arrays,
+    )
+    after = timed(waters, x, y, float(line.times[0]))
+    return after if after.seconds <= line.seconds else line
+
+
+def simplified(waters: Waters, line: Line, *, share: float = SIMPLIFY) -> Line:
+    """Leave out the waypoints that matter least, as long as all of them together cost little time."""
+    from seacruise.routing import _relax
+
+    x, y = _relax.thin(
+        line.x,
+        line.y,
+        float(line.times[0]),
+        share * line.seconds,
+        PIECE_M,
+        waters.sea.water.arrays,
+        waters.frame,
+        waters.field.arrays,
+        waters.speeds.arrays,
+    )
+    return timed(waters, x, y, float(line.times[0]))
+
+
+def in_corridor(
+    waters: Waters, line: Line, *, spacing_nm: float, courses: int, width_nm: float, levels: Levels
+) -> tuple[Line | None, Lattice, int]:
+    """Search again on a finer lattice with more courses, within a distance of a line.
+
+    Returns
+    -------
+    line, lattice, settled
+        ``None`` for the line when the corridor turned out to be closed.
+    """
+    lat, lon = from_mercator(line.x, line.y)
+    per_nm = METRES_PER_NM / float(scale(lat.mean()))
+    area = Area("corridor", np.stack([line.x, line.y], axis=1), width_nm * per_nm)
+    start, end = ((float(lat[k]), float(lon[k])) for k in (0, -1))
+    lattice = lattices.build(
+        waters.sea,
+        start,
+        end,
+        spacing_nm=spacing_nm,
+        offsets=stencil.triangular(courses),
+        area=area,
+        levels=levels,
+    )
+    found = search(lattice, waters.field, waters.speeds, float(line.times[0]))
+    path = found.path(lattice.end)
+    if path.size == 0:
+        return None, lattice, found.settled
+    return timed(waters, lattice.x[path], lattice.y[path], float(line.times[0])), lattice, found.settled
+
+
+def refine(waters: Waters, first: Line, job: Job) -> tuple[Line, int]:
+    """Refine what the first search found; returns the line and the vertices settled on the way."""
+    best = relaxed(waters, first)
+    settled = 0
+    ends = from_mercator(best.x[[0, -1]], best.y[[0, -1]])
+    distance_nm = float(great_circle_m(ends[0][0], ends[1][0], ends[0][1], ends[1][1])) / METRES_PER_NM
+    spacing = min(2.0, max(0.25, distance_nm / 60))
+    for spacing_nm, width_nm, courses in ((spacing, 6 * spacing, 72),):
+        job.check()
+        levels = Levels(everywhere=2, at_ports=0)
+        line, _, count = in_corridor(
+            waters, best, spacing_nm=spacing_nm, courses=courses, width_nm=width_nm, levels=levels
+        )
+        settled += count
+        if line is None:
+            break
+        better = relaxed(waters, line)
+        if better.seconds < best.seconds:
+            best = better
+    return simplified(waters, best), settled
+
+
+def line_through(waters: Waters, lat: Array, lon: Array, departure: float) -> Line:
+    """`timed` for positions in degrees."""
+    return timed(waters, *to_mercator(lat, lon), departure)

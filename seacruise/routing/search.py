@@ -1,0 +1,96 @@
+"""The search: earliest arrival at the end, over a lattice, in wind that changes with time."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from seacruise.routing.field import SpeedTable, WindField
+from seacruise.routing.lattice import Lattice, chord_m
+from seacruise.units import METRES_PER_NM
+
+PIECE_M: Final = 4 * METRES_PER_NM
+"""Longest part of an edge that is sailed in the wind of its middle [m]."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Found:
+    """What a search found.
+
+    Attributes
+    ----------
+    arrival
+        ``(n,)`` earliest arrival at each vertex, seconds since 1970; inf where it was not reached.
+    before
+        ``(n,)`` the vertex before it, -1 for the start and where it was not reached.
+    settled, relaxed
+        Vertices whose arrival became final, and edges that were sailed.
+    """
+
+    arrival: NDArray[np.float64]
+    before: NDArray[np.int32]
+    settled: int
+    relaxed: int
+
+    def path(self, end: int) -> NDArray[np.int64]:
+        """Vertices from the start to ``end``; empty when it was not reached."""
+        if not np.isfinite(self.arrival[end]):
+            return np.empty(0, dtype=np.int64)
+        vertices = [end]
+        while self.before[vertices[-1]] >= 0:
+            vertices.append(int(self.before[vertices[-1]]))
+        return np.array(vertices[::-1], dtype=np.int64)
+
+
+def search(
+    lattice: Lattice,
+    field: WindField,
+    speeds: SpeedTable,
+    departure: float,
+    *,
+    to_end: bool = True,
+    latest: float = np.inf,
+) -> Found:
+    """Earliest arrivals from the lattice's start.
+
+    Parameters
+    ----------
+    departure
+        Seconds since 1970.
+    to_end
+        Goal-directed and stopping at the end; else every vertex that is reached before ``latest``.
+    """
+    from seacruise.routing import _kernels as k
+
+    ahead = np.zeros(lattice.vertices)
+    if to_end:
+        fastest = speeds.fastest(field.strongest)
+        if fastest > 0.0:
+            ahead = (
+                chord_m(lattice.lat, lattice.lon, lattice.lat[lattice.end], lattice.lon[lattice.end])
+                / fastest
+            )
+    return Found(
+        *k.search(
+            lattice.start,
+            lattice.end if to_end else -1,
+            departure,
+            latest,
+            ahead,
+            lattice.points,
+            lattice.edges,
+            PIECE_M,
+            field.arrays,
+            speeds.arrays,
+        )
+    )
+
+
+def connected(lattice: Lattice) -> bool:
+    """Tell whether the lattice leads from its start to its end at all, whatever the wind."""
+    from seacruise.routing import _kernels as k
+
+    return bool(k.reachable(lattice.first, lattice.target, lattice.start)[lattice.end])

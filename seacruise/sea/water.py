@@ -1,0 +1,154 @@
+"""The sea of a passage: where there is water, how far the shore is, and whether a line crosses land."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import lru_cache
+from pathlib import Path
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from seacruise.errors import NoPassageError
+from seacruise.geodesy import EARTH_RADIUS, format_position, from_mercator, great_circle_m, scale, to_mercator
+from seacruise.sea import coast, raster
+from seacruise.units import METRES_PER_NM
+
+FARTHEST_SNAP_NM: Final = 40.0
+"""A port farther than this from open water is refused [nm]; Szczecin, up the Odra, is the farthest."""
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class Snap:
+    """Water nearest to a position: where it is [degrees] and how far [nm]."""
+
+    lat: float
+    lon: float
+    distance_nm: float
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Sea:
+    """Water of a rectangle of the earth; `Sea.around` makes one.
+
+    Lines are rhumb lines, given as ``(n, 4)`` x0, y0, x1, y1 in the Mercator plane [m].
+    """
+
+    water: raster.WaterRaster
+
+    @classmethod
+    def around(cls, lats: Any, lons: Any, *, margin_deg: float, cache_dir: Path) -> Sea:
+        """The sea around positions [degrees], with a margin on each side.
+
+        All of the Baltic is one raster, made once and shared by all its passages; elsewhere the raster
+        is as large as the passage needs.
+        """
+        south, north = float(np.min(lats)) - margin_deg, float(np.max(lats)) + margin_deg
+        wider = margin_deg / float(scale(min(80.0, max(abs(south), abs(north)))))
+        west, east = float(np.min(lons)) - wider, float(np.max(lons)) + wider
+        ends_inside = (
+            np.min(lats) >= coast.FINE_SOUTH
+            and np.max(lats) <= coast.FINE_NORTH
+            and np.min(lons) >= coast.FINE_WEST
+            and np.max(lons) <= coast.FINE_EAST
+        )
+        if ends_inside:
+            bounds = (coast.FINE_SOUTH, coast.FINE_WEST, coast.FINE_NORTH, coast.FINE_EAST)
+        else:
+            bounds = (max(-80.0, south), west, min(80.0, north), east)
+        return cls(_load(bounds, cache_dir))
+
+    def is_water(self, lat: Any, lon: Any) -> NDArray[np.bool_]:
+        """Tell where positions [degrees] lie on water that is connected with the open sea."""
+        return self.is_water_at(*to_mercator(lat, lon))
+
+    def is_water_at(self, x: Array, y: Array) -> NDArray[np.bool_]:
+        """`is_water` for points of the Mercator plane [m], any shape."""
+        from seacruise.sea import _kernels as k
+
+        wet = np.empty(np.broadcast(x, y).shape, dtype=bool)
+        column, row = (np.broadcast_to(c, wet.shape).ravel() for c in self.water.lines(x, y))
+        k.wet_many(self.water.arrays, column, row, wet.reshape(-1))
+        return wet
+
+    def clearance_m(self, lat: Any, lon: Any) -> Array:
+        """Distance to the nearest shore that is certain to be free [m, true]; 0 on land and at shores."""
+        from seacruise.sea import _kernels as k
+
+        rings = self.water.at(*to_mercator(lat, lon)).astype(np.float64) - k.WATER
+        return np.asarray(np.maximum(rings, 0.0) * self.water.cell * scale(lat))
+
+    def clear(self, lines: Array) -> NDArray[np.bool_]:
+        """Tell which lines cross no land.
+
+        The raster answers where it is sure; where a line passes cells with a shoreline in them it is
+        held against the shoreline itself.
+        """
+        from seacruise.sea import _kernels as k
+
+        flat = np.asarray(lines, dtype=np.float64).reshape(-1, 4)
+        x0, y0 = self.water.lines(flat[:, 0], flat[:, 1])
+        x1, y1 = self.water.lines(flat[:, 2], flat[:, 3])
+        free = np.empty(len(flat), dtype=bool)
+        k.free_lines(self.water.arrays, x0, y0, x1, y1, free)
+        return free
+
+    @staticmethod
+    def crosses_fine_coast(lat: Array, lon: Array) -> NDArray[np.bool_]:
+        """Tell which steps of a finely sampled track [degrees] touch land of the fine coast.
+
+        Shares nothing with `clear`: polygons and a search tree instead of a raster. It is the last check
+        of a passage, and says nothing outside the rectangle that the fine coast covers.
+        """
+        steps = np.stack(
+            [np.stack([lon[:-1], lat[:-1]], axis=1), np.stack([lon[1:], lat[1:]], axis=1)], axis=1
+        )
+        return coast.land_on_lines(steps)
+
+    def snap(self, lat: float, lon: float, *, name: str = "") -> Snap:
+        """Water nearest to a port: connected with the open sea, and not itself in a cell with a shore.
+
+        Raises
+        ------
+        NoPassageError
+            Reason ``no-water-path`` when there is none within `FARTHEST_SNAP_NM`.
+        """
+        from seacruise.sea import _kernels as k
+
+        cell, cells = self.water.cell, self.water.cells
+        x, y = (float(c) for c in to_mercator(lat, lon))
+        reach = math.ceil(FARTHEST_SNAP_NM * METRES_PER_NM / float(scale(lat)) / cell)
+        column, row = (math.floor(float(c)) for c in self.water.lines(np.array(x), np.array(y)))
+        r0, c0 = max(0, row - reach), max(0, column - reach)
+        window = cells[r0 : max(0, row + reach + 1), c0 : max(0, column + reach + 1)]
+        rows, columns = np.nonzero(window >= k.WATER)
+        if rows.size == 0:
+            raise NoPassageError(
+                f"{name or format_position(lat, lon)} has no water connected with the open sea within "
+                f"{FARTHEST_SNAP_NM:.0f} nm; choose a port on the coast or a position at sea.",
+                reason="no-water-path",
+                place=(lat, lon),
+            )
+        px = self.water.x0 + (columns + c0 + 0.5) * cell
+        py = self.water.y0 + (rows + r0 + 0.5) * cell
+        best = int(np.argmin((px - x) ** 2 + (py - y) ** 2))
+        if window[rows[best], columns[best]] >= k.WATER and cells[row, column] >= k.WATER:
+            return Snap(lat, lon, 0.0)
+        found_lat, found_lon = (float(c) for c in from_mercator(px[best], py[best]))
+        return Snap(
+            found_lat, found_lon, float(great_circle_m(lat, lon, found_lat, found_lon)) / METRES_PER_NM
+        )
+
+
+def degrees_of(metres: float) -> float:
+    """Degrees of latitude that a distance [m] spans."""
+    return math.degrees(metres / EARTH_RADIUS)
+
+
+@lru_cache(maxsize=4)
+def _load(bounds: tuple[float, float, float, float], cache_dir: Path) -> raster.WaterRaster:
+    return raster.load(*bounds, cache_dir=cache_dir)

@@ -1,0 +1,68 @@
+"""Where SeaCruise keeps its files and which servers it talks to: one object, passed in, never global."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+STORMGLASS_URL = "https://api.stormglass.io"
+OPENMETEO_URL = "https://api.open-meteo.com"
+METNO_URL = "https://api.met.no"
+
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    """Folders, service addresses and the Storm Glass key.
+
+    Attributes
+    ----------
+    cache_dir
+        Things that can be made again: rasters of the sea, compiled lattices.
+    data_dir
+        Things that are the sailor's: ``seacruise.sqlite``, ``polars/``, ``layers/``.
+    stormglass_key
+        The bare key, or ``None``; excluded from ``repr`` so that no log can show it.
+    """
+
+    cache_dir: Path
+    data_dir: Path
+    stormglass_url: str = STORMGLASS_URL
+    openmeteo_url: str = OPENMETEO_URL
+    metno_url: str = METNO_URL
+    stormglass_key: str | None = None
+
+    def __repr__(self) -> str:
+        return f"Settings(cache_dir={str(self.cache_dir)!r}, data_dir={str(self.data_dir)!r})"
+
+    @property
+    def database(self) -> Path:
+        """The one SQLite file: forecast cache, quota ledger, saved passages."""
+        return self.data_dir / "seacruise.sqlite"
+
+    @property
+    def user_polars(self) -> Path:
+        """Folder in which the sailor drops polar files of their own."""
+        return self.data_dir / "polars"
+
+    @classmethod
+    def from_environment(cls, environ: Mapping[str, str] | None = None) -> Settings:
+        """Read ``SEACRUISE_HOME``, ``SEACRUISE_*_URL`` and ``STORMGLASS_API_KEY``."""
+        env = os.environ if environ is None else environ
+        if home := env.get("SEACRUISE_HOME", "").strip():
+            root = Path(home).expanduser()
+            cache_dir, data_dir = root / "cache", root / "data"
+        else:
+            import platformdirs
+
+            cache_dir = platformdirs.user_cache_path("seacruise", appauthor=False)
+            data_dir = platformdirs.user_data_path("seacruise", appauthor=False)
+        return cls(
+            cache_dir=cache_dir,
+            data_dir=data_dir,
+            stormglass_url=env.get("SEACRUISE_STORMGLASS_URL", STORMGLASS_URL).rstrip("/"),
+            openmeteo_url=env.get("SEACRUISE_OPENMETEO_URL", OPENMETEO_URL).rstrip("/"),
+            metno_url=env.get("SEACRUISE_METNO_URL", METNO_URL).rstrip("/"),
+            stormglass_key=env.get("STORMGLASS_API_KEY", "").strip() or None,
+        )

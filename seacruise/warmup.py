@@ -1,0 +1,38 @@
+"""Compile the kernels and draw the sea once, so that the first passage does not wait for it.
+
+``python -m seacruise.warmup`` runs at the end of the installation; the window does the same in the
+background when it opens. What is compiled stays on disk.
+"""
+
+from __future__ import annotations
+
+import sys
+from datetime import timedelta
+
+from seacruise.progress import Job
+from seacruise.settings import Settings
+
+
+def warm_up(settings: Settings | None = None) -> None:
+    """Plan a short passage on the bundled wind, which compiles and caches everything a long one needs."""
+    from seacruise.passage import PassageRequest, plan
+    from seacruise.ports import find_port, load_ports
+    from seacruise.resources import resource_path
+    from seacruise.weather.sample import sample_wind
+    from seacruise.yacht.fleet import find_yacht, load_fleet
+
+    ports = load_ports()
+    wind = sample_wind()
+    request = PassageRequest(
+        start=find_port("Visby", ports),
+        end=find_port("Västervik", ports),
+        yacht=find_yacht("Bavaria 46 Cruiser", load_fleet([resource_path("polars")])),
+        wind=wind,
+        departure=wind.forecast.valid_from + timedelta(hours=6),
+    )
+    plan(request, settings=settings or Settings.from_environment(), job=Job())
+
+
+if __name__ == "__main__":
+    print("Preparing SeaCruise for this computer (once)...", file=sys.stderr)  # noqa: T201
+    warm_up()

@@ -1,0 +1,74 @@
+"""A file is complete or not there; what was there before survives every failure."""
+
+from __future__ import annotations
+
+import errno
+import os
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from seacruise.atomic import check_target, write_atomically
+from seacruise.errors import InputError
+
+
+def test_replaces_whole_and_leaves_nothing_beside(tmp_path: Path) -> None:
+    target = tmp_path / "über route.gpx"
+    write_atomically(target, "one", what="GPX file")
+    write_atomically(target, b"two", what="GPX file")
+    assert target.read_bytes() == b"two"
+    assert [p.name for p in tmp_path.iterdir()] == [target.name]
+
+
+@pytest.mark.skipif(os.name == "nt", reason="Windows has no such permissions")
+def test_permissions_are_those_of_any_new_file(tmp_path: Path) -> None:
+    plain, ours = tmp_path / "plain", tmp_path / "ours"
+    plain.write_text("x", encoding="utf-8")
+    write_atomically(ours, "x", what="file")
+    assert ours.stat().st_mode == plain.stat().st_mode
+    ours.chmod(0o600)
+    write_atomically(ours, "y", what="file")
+    assert ours.stat().st_mode & 0o777 == 0o600
+
+
+@pytest.mark.parametrize("step", ["fsync", "replace"])
+def test_old_file_survives_a_full_disk(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, step: str) -> None:
+    target = tmp_path / "passage.csv"
+    target.write_text("precious", encoding="utf-8")
+
+    def full(*_: Any, **__: Any) -> None:
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    if step == "fsync":
+        monkeypatch.setattr(os, "fsync", full)
+    else:
+        monkeypatch.setattr(Path, "replace", full)
+    with pytest.raises(InputError, match=r"CSV file cannot be written to .*no space left"):
+        write_atomically(target, "new", what="CSV file")
+    assert target.read_text(encoding="utf-8") == "precious"
+    assert [p.name for p in tmp_path.iterdir()] == [target.name]
+
+
+def test_a_folder_is_refused(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match="that is a folder"):
+        write_atomically(tmp_path, "x", what="chart")
+
+
+def test_a_missing_folder_is_named_before_anything_is_computed(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match=r"there is no folder .*nowhere"):
+        check_target(tmp_path / "nowhere" / "a.png", "chart")
+
+
+@pytest.mark.skipif(
+    sys.platform == "win32" or (hasattr(os, "geteuid") and os.geteuid() == 0),
+    reason="root may write everywhere",
+)
+def test_a_closed_folder_is_refused(tmp_path: Path) -> None:
+    tmp_path.chmod(0o500)
+    try:
+        with pytest.raises(InputError, match="write-protected"):
+            check_target(tmp_path / "a.png", "chart")
+    finally:
+        tmp_path.chmod(0o700)
