@@ -6,7 +6,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from datetime import UTC, datetime, timedelta
 from typing import TYPE_CHECKING, Literal
 
@@ -14,15 +14,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from seacruise.errors import InputError, NoPassageError
-from seacruise.geodesy import format_position, great_circle_m
+from seacruise.geodesy import angle_between_deg, format_position, great_circle_m
 from seacruise.ports import Port
 from seacruise.progress import Job
 from seacruise.settings import Settings
 from seacruise.units import METRES_PER_NM, MS_PER_KNOT, SECONDS_PER_HOUR
 
 if TYPE_CHECKING:
-    from seacruise.routing.find import Fastest, How, LatticeCache, Ledger
+    from seacruise.routing.find import Fastest, Finder, How, Ledger, Question
     from seacruise.routing.manoeuvres import Course
+    from seacruise.routing.refine import Line
     from seacruise.routing.resail import Resailed
     from seacruise.sea import Sea, Snap
     from seacruise.weather.wind import Forecast, Wind
@@ -234,11 +235,14 @@ SAME_PLACE_NM = 0.1
 TELL_SNAP_NM = 0.1
 """A port moved farther than this to reach water is worth a sentence [nm]."""
 
-_lattices: LatticeCache | None = None
+NOBODY = Job()
+"""A job that nobody watches or cancels."""
+
+_finder: Finder | None = None
 
 
 def sea_between(start: Port, end: Port, settings: Settings) -> Sea:
-    """The sea around two ports: wide enough for any passage between them."""
+    """Read the sea around two ports, wide enough for any passage between them."""
     from seacruise.sea import Sea
 
     away = float(great_circle_m(start.lat, start.lon, end.lat, end.lon)) / METRES_PER_NM / 60
@@ -247,7 +251,7 @@ def sea_between(start: Port, end: Port, settings: Settings) -> Sea:
     )
 
 
-def plan(request: PassageRequest, *, settings: Settings, job: Job = Job()) -> Passage:  # noqa: B008 - frozen
+def plan(request: PassageRequest, *, settings: Settings, job: Job = NOBODY) -> Passage:
     """Find the fastest passage and sail it again before showing it.
 
     Parameters
@@ -268,42 +272,33 @@ def plan(request: PassageRequest, *, settings: Settings, job: Job = Job()) -> Pa
     CancelledError
         The job was cancelled.
     """
-    from seacruise.routing.find import Ledger, fastest
+    from seacruise.routing.find import Ledger, Question
 
     ledger = Ledger()
     _check_options(request.options)
     departure = _departure(request)
     job.report("sea", None, "Reading the sea")
-    sea, (start, end) = _waters(request, settings)
+    sea, ends = _waters(request, settings)
     ledger.lap("sea")
     _check_cover(request.wind, request.start, request.end)
-    how = _how(request.options)
-    found = fastest(
-        sea,
-        request.wind,
-        request.yacht,
-        how,
-        (start.lat, start.lon),
-        (end.lat, end.lon),
-        departure.timestamp(),
-        job=job,
-        ledger=ledger,
-        cache=_lattice_cache(),
+    start, end = ((place.lat, place.lon) for place in ends)
+    asked = Question(
+        sea, request.wind, request.yacht, _how(request.options), start, end, departure.timestamp()
     )
+    found = _the_finder().fastest(asked, job=job, ledger=ledger)
     job.check()
     job.report("check", None, "Sailing the passage again")
-    course, sailed = _sail_again(request, sea, how, found, departure)
-    ledger.lap("check")
-    return _report(request, (start, end), departure, found, course, sailed, ledger)
+    course, sailed = _sail_again(asked, found.line, request.options.fuel_rate_l_h)
+    return _Answer(request, ends, departure, found, course, sailed).passage(ledger)
 
 
-def _lattice_cache() -> LatticeCache:
-    from seacruise.routing.find import LatticeCache
+def _the_finder() -> Finder:
+    from seacruise.routing.find import Finder
 
-    global _lattices  # noqa: PLW0603 - lattices are big and the same for every window and thread
-    if _lattices is None:
-        _lattices = LatticeCache()
-    return _lattices
+    global _finder  # noqa: PLW0603 - its lattices are big and the same for every window and thread
+    if _finder is None:
+        _finder = Finder()
+    return _finder
 
 
 def _check_options(options: Options) -> None:
@@ -324,7 +319,7 @@ def _check_options(options: Options) -> None:
 
 
 def _departure(request: PassageRequest) -> datetime:
-    """The departure in UTC, within the forecast; by default its next full hour."""
+    """Departure in UTC, within the forecast; by default its next full hour."""
     forecast = request.wind.forecast
     departure = request.departure
     if departure is None:
@@ -338,15 +333,16 @@ def _departure(request: PassageRequest) -> datetime:
     departure = departure.astimezone(UTC)
     if not forecast.valid_from <= departure <= forecast.valid_to:
         raise NoPassageError(
-            f"The departure {departure:%Y-%m-%d %H:%M} UTC is outside the forecast ({forecast.source}), which covers "
-            f"{forecast.valid_from:%Y-%m-%d %H:%M} to {forecast.valid_to:%Y-%m-%d %H:%M} UTC; choose a time within it.",
+            f"The departure {departure:%Y-%m-%d %H:%M} UTC is outside the forecast ({forecast.source}), which "
+            f"covers {forecast.valid_from:%Y-%m-%d %H:%M} to {forecast.valid_to:%Y-%m-%d %H:%M} UTC; choose a "
+            "time within it.",
             reason="outside-forecast",
         )
     return departure
 
 
 def _waters(request: PassageRequest, settings: Settings) -> tuple[Sea, tuple[Place, Place]]:
-    """The sea, and both ports moved to water."""
+    """Read the sea and move both ports to water."""
     start, end = request.start, request.end
     same = f"Start and end are the same place ({start.name}); choose two different ports."
     if float(great_circle_m(start.lat, start.lon, end.lat, end.lon)) < SAME_PLACE_NM * METRES_PER_NM:
@@ -394,134 +390,156 @@ def _how(options: Options) -> How:
     )
 
 
-def _sail_again(
-    request: PassageRequest, sea: Sea, how: How, found: Fastest, departure: datetime
-) -> tuple[Course, Resailed]:
+def _sail_again(asked: Question, line: Line, fuel_rate_l_h: float) -> tuple[Course, Resailed]:
     """Put in the tacks and sail the passage by independent code.
 
-    Without tacking a leg found possible hour by hour may still lead through the dead angle between
+    Without tacking a leg found possible hour by hour may still lead through the dead angle between two
     looks; rather than show a time nobody sailed, such a passage is tacked where it must be.
     """
-    from dataclasses import replace
-
-    from seacruise.routing.manoeuvres import Course, merge_straight, sail_boards
+    from seacruise.routing.manoeuvres import merge_straight, sail_boards, straight_legs
     from seacruise.routing.resail import resail
 
-    line = found.line
-    never = np.zeros(line.x.size - 1, dtype=bool)
-    if how.handling.tacking:
-        course = sail_boards(line.x, line.y, line.times, sea, request.wind, request.yacht)
-    else:
-        course = merge_straight(Course(line.x, line.y, never))
-    rate = request.options.fuel_rate_l_h
-    t = departure.timestamp()
-    sailed = resail(course, t, sea, request.wind, request.yacht, how.handling, fuel_rate_l_h=rate)
+    handling = asked.how.handling
+    course = sail_boards(asked, line) if handling.tacking else merge_straight(straight_legs(line), asked.sea)
+    sailed = resail(asked, course, fuel_rate_l_h=fuel_rate_l_h)
     if not sailed.arrived:
-        course = replace(
-            course,
-            short_tacked=~never[: course.x.size - 1]
-            if not how.handling.tacking
-            else np.ones(course.x.size - 1, dtype=bool),
-        )
-        handling = replace(how.handling, tacking=True)
-        sailed = resail(course, t, sea, request.wind, request.yacht, handling, fuel_rate_l_h=rate)
+        tacked = replace(asked, how=replace(asked.how, handling=replace(handling, tacking=True)))
+        course = replace(course, short_tacked=np.ones_like(course.short_tacked))
+        sailed = resail(tacked, course, fuel_rate_l_h=fuel_rate_l_h)
     if not sailed.arrived:
         raise NoPassageError(
-            "The passage that was found cannot be sailed to its end: the yacht is becalmed under way. Leave at "
-            "another time or allow the engine (--motor-below).",
+            "The passage that was found cannot be sailed to its end: the yacht is becalmed under way. Leave "
+            "at another time or allow the engine (--motor-below).",
             reason="becalmed",
             place=(float(sailed.lat[-1]), float(sailed.lon[-1])),
         )
     return course, sailed
 
 
-def _report(
-    request: PassageRequest,
-    ends: tuple[Place, Place],
-    departure: datetime,
-    found: Fastest,
-    course: Course,
-    sailed: Resailed,
-    ledger: Ledger,
-) -> Passage:
-    """Put the answer together."""
-    from seacruise.routing.bound import lower_bound_s
-    from seacruise.routing.manoeuvres import count_turns, true_length_nm
+@dataclass(frozen=True, slots=True, eq=False)
+class _Answer:
+    """What was found and sailed again, on its way to becoming a `Passage`."""
 
-    wind, begin = request.wind, departure.timestamp()
-    seconds = float(sailed.time[-1]) - begin
-    legs = true_length_nm(course.x, course.y)
-    at = sailed.at[:-1]
-    motor = sailed.motor[at]
-    tacks, gybes = count_turns(sailed.course_deg[at], sailed.twd_deg[at], ~motor)
-    horizon = max(request.wind.forecast.valid_to.timestamp(), begin)
-    start, end = ends
-    grid = found.lattice
-    bound = lower_bound_s(
-        wind, found.speeds, (start.lat, start.lon), (end.lat, end.lon), departure=begin, found_s=seconds
-    )
-    ledger.lap("check")
-    source = grid.sources()
-    edges = np.stack(
-        [grid.lat[source], grid.lon[source], grid.lat[grid.target], grid.lon[grid.target]], axis=1
-    )
-    return Passage(
-        start=start,
-        end=end,
-        yacht=request.yacht.name,
-        departure=departure,
-        arrival=departure + timedelta(seconds=seconds),
-        distance_nm=float(legs.sum()),
-        direct_distance_nm=float(great_circle_m(start.lat, start.lon, end.lat, end.lon)) / METRES_PER_NM,
-        waypoints=_waypoints(course, sailed, legs),
-        tacks=tacks,
-        gybes=gybes,
-        course_changes=len(legs) - 1,
-        max_tws_kn=float(sailed.tws.max()) / MS_PER_KNOT,
-        motor_h=sailed.motor_s / SECONDS_PER_HOUR,
-        fuel_l=sailed.fuel_l,
-        beyond_forecast_h=max(0.0, begin + seconds - horizon) / SECONDS_PER_HOUR,
-        forecast=wind.forecast,
-        lower_bound_h=bound / SECONDS_PER_HOUR,
-        checks=Checks(seconds / SECONDS_PER_HOUR, sailed.land_free, True, sailed.within_limits),
-        search=SearchReport(
-            ledger.directions,
-            ledger.spacing_nm,
-            ledger.vertices,
-            ledger.edges,
-            ledger.settled,
-            dict(ledger.seconds),
-        ),
-        track=_track(sailed),
-        notices=_notices(request, ends, begin + seconds - horizon, course, legs),
-        lattice_edges=edges.astype(np.float32),
-    )
+    request: PassageRequest
+    ends: tuple[Place, Place]
+    departure: datetime
+    found: Fastest
+    course: Course
+    sailed: Resailed
+
+    @property
+    def seconds(self) -> float:
+        return float(self.sailed.time[-1]) - self.departure.timestamp()
+
+    @property
+    def beyond_s(self) -> float:
+        """Seconds sailed on wind held beyond the forecast."""
+        begin = self.departure.timestamp()
+        horizon = max(self.request.wind.forecast.valid_to.timestamp(), begin)
+        return max(0.0, begin + self.seconds - horizon)
+
+    def passage(self, ledger: Ledger) -> Passage:
+        """Put the answer together."""
+        from seacruise.routing.manoeuvres import count_turns, true_length_nm
+
+        sailed, (start, end) = self.sailed, self.ends
+        legs = true_length_nm(self.course.x, self.course.y)
+        at = sailed.at[:-1]
+        tacks, gybes = count_turns(sailed.course_deg[at], sailed.twd_deg[at], ~sailed.motor[at])
+        bound_h = self._lower_bound_s() / SECONDS_PER_HOUR
+        ledger.lap("check")
+        return Passage(
+            start=start,
+            end=end,
+            yacht=self.request.yacht.name,
+            departure=self.departure,
+            arrival=self.departure + timedelta(seconds=self.seconds),
+            distance_nm=float(legs.sum()),
+            direct_distance_nm=float(great_circle_m(start.lat, start.lon, end.lat, end.lon)) / METRES_PER_NM,
+            waypoints=_waypoints(sailed, legs),
+            tacks=tacks,
+            gybes=gybes,
+            course_changes=legs.size - 1,
+            max_tws_kn=float(sailed.tws.max()) / MS_PER_KNOT,
+            motor_h=sailed.motor_s / SECONDS_PER_HOUR,
+            fuel_l=sailed.fuel_l,
+            beyond_forecast_h=self.beyond_s / SECONDS_PER_HOUR,
+            forecast=self.request.wind.forecast,
+            lower_bound_h=bound_h,
+            checks=Checks(self.seconds / SECONDS_PER_HOUR, sailed.land_free, True, sailed.within_limits),
+            search=SearchReport(
+                ledger.directions,
+                ledger.spacing_nm,
+                ledger.vertices,
+                ledger.edges,
+                ledger.settled,
+                dict(ledger.seconds),
+            ),
+            track=_track(sailed),
+            notices=self._notices(legs),
+            lattice_edges=self.found.lattice.edges_in_degrees(),
+        )
+
+    def _lower_bound_s(self) -> float:
+        from seacruise.routing.bound import lower_bound_s
+
+        start, end = self.ends
+        return lower_bound_s(
+            self.request.wind,
+            self.found.speeds,
+            (start.lat, start.lon),
+            (end.lat, end.lon),
+            departure=self.departure.timestamp(),
+            found_s=self.seconds,
+        )
+
+    def _notices(self, legs: NDArray[np.float64]) -> tuple[str, ...]:
+        """Sentences that a sailor must read with the passage."""
+        notice = self.request.wind.forecast.notice
+        said = [notice] if notice else []
+        for place, verb in zip(self.ends, ("begins", "ends"), strict=True):
+            if place.snapped_nm > TELL_SNAP_NM:
+                said.append(
+                    f"The passage {verb} {place.snapped_nm:.1f} nm from {place.name}, at the nearest water "
+                    "of the chart that is connected with the open sea."
+                )
+        if self.beyond_s > 60.0:
+            said.append(
+                f"The last {math.ceil(self.beyond_s / SECONDS_PER_HOUR)} h are sailed in the last known wind, "
+                "held beyond the end of the forecast."
+            )
+        narrow = float(legs[self.course.short_tacked].sum())
+        if narrow > TELL_SNAP_NM:
+            said.append(
+                f"{narrow:.1f} nm are a beat or run in water too narrow to plan the boards; they are reckoned "
+                "at the speed made good."
+            )
+        return tuple(said)
 
 
-def _signed_twa(twd_deg: float, course_deg: float) -> float:
-    return (twd_deg - course_deg + 180.0) % 360.0 - 180.0
-
-
-def _waypoints(course: Course, sailed: Resailed, legs: NDArray[np.float64]) -> tuple[Waypoint, ...]:
+def _waypoints(sailed: Resailed, legs: NDArray[np.float64]) -> tuple[Waypoint, ...]:
     points = []
-    for k, a in enumerate(sailed.at):
+    for k, a in enumerate(sailed.at.tolist()):
+        lat, lon = float(sailed.lat[a]), float(sailed.lon[a])
         when = datetime.fromtimestamp(float(sailed.time[a]), UTC)
         if k == legs.size:
-            points.append(Waypoint(float(sailed.lat[a]), float(sailed.lon[a]), when))
+            points.append(Waypoint(lat, lon, when))
             break
-        hours = float(sailed.time[sailed.at[k + 1]] - sailed.time[a]) / SECONDS_PER_HOUR
-        twa = _signed_twa(float(sailed.twd_deg[a]), float(sailed.course_deg[a]))
-        motor = bool(np.mean(sailed.motor[a : sailed.at[k + 1]]) > 0.5)
+        until = int(sailed.at[k + 1])
+        hours = float(sailed.time[until] - sailed.time[a]) / SECONDS_PER_HOUR
+        course, twd = float(sailed.course_deg[a]), float(sailed.twd_deg[a])
+        twa = (twd - course + 180.0) % 360.0 - 180.0
+        motor = bool(np.mean(sailed.motor[a:until]) > 0.5)
         points.append(
             Waypoint(
-                float(sailed.lat[a]),
-                float(sailed.lon[a]),
+                lat,
+                lon,
                 when,
-                course_deg=float(sailed.course_deg[a]),
+                course_deg=course,
                 leg_nm=float(legs[k]),
                 boat_speed_kn=float(legs[k]) / hours if hours > 0 else 0.0,
                 tws_kn=float(sailed.tws[a]) / MS_PER_KNOT,
-                twd_deg=float(sailed.twd_deg[a]),
+                twd_deg=twd,
                 twa_deg=abs(twa),
                 motor=motor,
                 tack=None if motor else "starboard" if twa >= 0 else "port",
@@ -531,7 +549,6 @@ def _waypoints(course: Course, sailed: Resailed, legs: NDArray[np.float64]) -> t
 
 
 def _track(sailed: Resailed) -> Track:
-    twa = np.abs((sailed.twd_deg - sailed.course_deg + 180.0) % 360.0 - 180.0)
     return Track(
         sailed.time,
         sailed.lat,
@@ -540,36 +557,7 @@ def _track(sailed: Resailed) -> Track:
         sailed.speed / MS_PER_KNOT,
         sailed.tws / MS_PER_KNOT,
         sailed.twd_deg,
-        twa,
+        angle_between_deg(sailed.twd_deg, sailed.course_deg),
         sailed.motor,
         sailed.leg,
     )
-
-
-def _notices(
-    request: PassageRequest,
-    ends: tuple[Place, Place],
-    beyond_s: float,
-    course: Course,
-    legs: NDArray[np.float64],
-) -> tuple[str, ...]:
-    """Sentences that a sailor must read with the passage."""
-    said = [request.wind.forecast.notice] if request.wind.forecast.notice else []
-    for place, verb in zip(ends, ("begins", "ends"), strict=True):
-        if place.snapped_nm > TELL_SNAP_NM:
-            said.append(
-                f"The passage {verb} {place.snapped_nm:.1f} nm from {place.name}, at the nearest water "
-                "of the chart that is connected with the open sea."
-            )
-    if beyond_s > 60.0:
-        said.append(
-            f"The last {math.ceil(beyond_s / SECONDS_PER_HOUR)} h are sailed in the last known wind, held beyond "
-            "the end of the forecast."
-        )
-    narrow = float(legs[course.short_tacked].sum())
-    if narrow > 0.05:
-        said.append(
-            f"{narrow:.1f} nm are a beat or run in water too narrow to plan the boards; they are reckoned at the "
-            "speed made good."
-        )
-    return tuple(said)

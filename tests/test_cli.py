@@ -11,6 +11,7 @@ import sys
 import time
 from datetime import UTC, datetime
 from pathlib import Path
+from types import ModuleType
 from typing import Any
 
 import pytest
@@ -124,6 +125,21 @@ def test_plan_prints_json_alone(asked: Asked, capsys: pytest.CaptureFixture[str]
     out, err = capsys.readouterr()
     assert json.loads(out)["schema"] == "seacruise.passage/1"
     assert "Note: Gdynia lies 0.8 nm from open water" in err
+
+
+def test_plan_through_all_rooms(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """No stand-ins: ports, polar, sample wind, sea, search, re-sailing, JSON and GPX."""
+    words = ["plan", "--from", "Visby", "--to", "Västervik", "--yacht", "Bavaria 46 Cruiser"]
+    when = ["--depart", "2016-11-20T06:00Z", "--forecast", "sample"]
+    assert cli.main([*words, *when, "--format", "json", "--gpx", str(tmp_path / "a.gpx")]) == 0
+    out, err = capsys.readouterr()
+    answer = json.loads(out)
+    assert (answer["start"]["name"], answer["end"]["name"]) == ("Visby", "Västervik")
+    assert answer["checks"]["land_free"] is True
+    assert 0 < answer["lower_bound_h"] <= answer["duration_h"]
+    assert answer["direct_distance_nm"] <= answer["distance_nm"] < 3 * answer["direct_distance_nm"]
+    assert "Sample weather" in err
+    assert f'lat="{answer["waypoints"][0]["lat"]:.6f}"' in (tmp_path / "a.gpx").read_text(encoding="utf-8")
 
 
 def test_plan_asks_for_what_was_said(asked: Asked) -> None:
@@ -393,6 +409,7 @@ def test_without_a_display_a_picture_is_drawn_in_memory(monkeypatch: pytest.Monk
 
 def test_a_missing_system_library_is_named_with_its_package(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("QT_QPA_PLATFORM", "xcb")
+    monkeypatch.setitem(sys.modules, "seacruise.desktop.app", ModuleType("app"))
     monkeypatch.setattr(sys, "platform", "linux")
     monkeypatch.setattr(window, "_loads", lambda name: name != "libxcb-cursor.so.0")
     assert window.qt_trouble() == (

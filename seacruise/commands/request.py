@@ -161,14 +161,12 @@ def fetch(arguments: argparse.Namespace, start: Port, end: Port, *, settings: Se
 
     The sea is only asked for when a weather service has to know which of its points are worth a request.
     """
-    from seacruise.weather.source import SERVICE_MARGIN_DEG, fetch_wind
+    from seacruise.weather.source import fetch_wind
 
     def is_water(lat: Any, lon: Any) -> Any:
-        from seacruise.sea import Sea
+        from seacruise.passage import sea_between
 
-        ends = ([start.lat, end.lat], [start.lon, end.lon])
-        sea = Sea.around(*ends, margin_deg=2 * SERVICE_MARGIN_DEG, cache_dir=settings.cache_dir)
-        return sea.is_water(lat, lon)
+        return sea_between(start, end, settings).is_water(lat, lon)
 
     return fetch_wind(
         arguments.forecast or ["auto"],

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from datetime import datetime
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, Any, Protocol
 
 from seacruise.errors import InputError
 from seacruise.ports import Port
@@ -21,7 +21,9 @@ if TYPE_CHECKING:
 class Planner(Protocol):
     """`seacruise.passage.plan`, or what a test puts in its place."""
 
-    def __call__(self, request: PassageRequest, *, settings: Settings, job: Job) -> Passage: ...
+    def __call__(self, request: PassageRequest, *, settings: Settings, job: Job) -> Passage:
+        """Find the passage, or raise a `SeaCruiseError`."""
+        ...
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,7 +60,11 @@ def refuse_same_port(start: Port, end: Port) -> None:
 
 def fetch_wind(question: Question, settings: Settings, job: Job) -> Wind:
     """Wind for a question from wherever its forecast says."""
+    from seacruise.passage import sea_between
     from seacruise.weather.source import fetch_wind as fetch
+
+    def is_water(lat: Any, lon: Any) -> Any:
+        return sea_between(question.start, question.end, settings).is_water(lat, lon)
 
     return fetch(
         question.forecast,
@@ -67,6 +73,7 @@ def fetch_wind(question: Question, settings: Settings, job: Job) -> Wind:
         departure=question.departure,
         settings=settings,
         job=job,
+        is_water=is_water,
     )
 
 

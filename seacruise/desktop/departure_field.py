@@ -6,7 +6,6 @@ from datetime import UTC, date, datetime, time
 
 from PySide6.QtCore import QDate, QLocale, QPoint, QSize, Qt, QTime, Signal
 from PySide6.QtWidgets import (
-    QAbstractSpinBox,
     QCalendarWidget,
     QDateEdit,
     QFrame,
@@ -19,8 +18,8 @@ from PySide6.QtWidgets import (
 )
 
 from seacruise.desktop.banner import text_label
-from seacruise.desktop.style import icon
 from seacruise.desktop.state import Horizon
+from seacruise.desktop.style import icon
 from seacruise.errors import InputError
 
 
@@ -52,7 +51,6 @@ class DepartureField(QWidget):
         self._filling = False
         self.date_edit = QDateEdit(self)
         self.date_edit.setDisplayFormat("ddd d MMM yyyy")
-        self.date_edit.setButtonSymbols(QAbstractSpinBox.ButtonSymbols.NoButtons)
         self.date_edit.setDateRange(QDate(1900, 1, 1), QDate(2199, 12, 31))
         self.date_edit.setAccessibleName(self.tr("Date of departure, UTC"))
         self.calendar_button = QToolButton(self)
@@ -64,6 +62,9 @@ class DepartureField(QWidget):
         self.time_edit = QTimeEdit(self)
         self.time_edit.setDisplayFormat("HH:mm")
         self.time_edit.setAccessibleName(self.tr("Time of departure, UTC"))
+        self.time_edit.setMaximumWidth(92)
+        for edit in (self.date_edit, self.time_edit):
+            edit.lineEdit().setTextMargins(5, 0, 0, 0)
         self.range_label = text_label("", "hint", self)
         self._make_calendar()
         row = QHBoxLayout()
@@ -110,7 +111,7 @@ class DepartureField(QWidget):
         return self._chosen
 
     def require_moment(self) -> datetime:
-        """The moment, when the forecast covers it.
+        """Give the moment, when the forecast covers it.
 
         Raises
         ------
@@ -119,9 +120,9 @@ class DepartureField(QWidget):
         """
         if self._horizon is not None and not self._horizon.covers(self.moment):
             raise InputError(
-                self.tr("The departure on {moment} UTC is not within the forecast, which covers {range}.").format(
-                    moment=format_moment(self.moment), range=self._range_text()
-                ),
+                self.tr(
+                    "The departure on {moment} UTC is not within the forecast, which covers {range}."
+                ).format(moment=format_moment(self.moment), range=self._range_text()),
                 reason="departure",
             )
         return self.moment

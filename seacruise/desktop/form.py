@@ -95,10 +95,10 @@ class PassageForm(QFrame):
         self.set_running(running=False)
 
     def _make_options(self) -> None:
+        self.options_box = QWidget(self)
         self.more_button = QPushButton(self)
         self.more_button.setObjectName("flat")
         self.more_button.clicked.connect(lambda: self.show_options(shown=self.options_box.isHidden()))
-        self.options_box = QWidget(self)
         self.percent_box = self._number(30.0, 150.0, " %", step=5.0, value=100.0)
         self.max_wind_box = self._number(0.0, 100.0, " kn", step=1.0, none=self.tr("no limit"))
         self.motor_box = self._number(0.0, 20.0, " kn", step=0.5, none=self.tr("never"))
@@ -131,6 +131,7 @@ class PassageForm(QFrame):
         box.setSpecialValueText(none)
         box.setValue(value)
         box.setMinimumWidth(104)
+        box.lineEdit().setTextMargins(5, 0, 0, 0)
         return box
 
     def _lay_out(self) -> None:
@@ -188,7 +189,7 @@ class PassageForm(QFrame):
     # --- what is asked ------------------------------------------------------------------------------
 
     def question(self) -> Question:
-        """What the form asks.
+        """Say what the form asks.
 
         Raises
         ------
@@ -217,7 +218,9 @@ class PassageForm(QFrame):
         name = self.yacht_box.currentText()
         if name not in self._yachts:
             raise InputError(
-                self.tr("There is no yacht yet; wait until they are loaded, or drop a polar file on the window.")
+                self.tr(
+                    "There is no yacht yet; wait until they are loaded, or drop a polar file on the window."
+                )
             )
         return self._yachts[name]
 
@@ -241,11 +244,11 @@ class PassageForm(QFrame):
         return [field.port for field in (self.start_field, self.end_field) if field.port is not None]
 
     def contents(self) -> dict[str, object]:
-        """What is worth keeping for the next start; a departure is not."""
+        """Give what is worth keeping for the next start; a departure is not."""
         return {
             "start": self.start_field.text(),
             "end": self.end_field.text(),
-            "yacht": self.yacht_box.currentText() or self._wanted_yacht,
+            "yacht": self._wanted_yacht,
             "forecast": list(self._forecast),
             "percent_of_polar": self.percent_box.value(),
             "max_wind_kn": self.max_wind_box.value(),
@@ -264,7 +267,8 @@ class PassageForm(QFrame):
             self.departure.set_moment(depart, chosen=True)
         if yacht := values.get("yacht"):
             self._wanted_yacht = str(yacht)
-            self._choose_wanted_yacht()
+            if (at := self.yacht_box.findText(self._wanted_yacht)) >= 0:
+                self.yacht_box.setCurrentIndex(at)
         if forecast := values.get("forecast"):
             self.set_forecast(tuple(str(name) for name in forecast))
         known = {field.name for field in fields(Options)}
@@ -283,20 +287,18 @@ class PassageForm(QFrame):
         self.start_field.set_ports(ports)
         self.end_field.set_ports(ports)
 
-    def set_yachts(self, yachts: Mapping[str, Polar]) -> None:
-        """Take the yachts over; the choice stays when it is among them."""
-        chosen = self.yacht_box.currentText() or self._wanted_yacht
+    def set_yachts(self, yachts: Mapping[str, Polar], chosen: str) -> None:
+        """Take the yachts over, and choose one."""
         self._yachts = dict(yachts)
         self.yacht_box.clear()
         self.yacht_box.addItems(list(yachts))
-        self._wanted_yacht = chosen
-        self._choose_wanted_yacht()
+        self.yacht_box.setCurrentIndex(max(self.yacht_box.findText(chosen), 0))
+        self._wanted_yacht = self.yacht_box.currentText()
 
-    def _choose_wanted_yacht(self) -> None:
-        if not self._yachts:
-            return
-        at = self.yacht_box.findText(self._wanted_yacht, Qt.MatchFlag.MatchFixedString)
-        self.yacht_box.setCurrentIndex(max(at, 0))
+    @property
+    def wanted_yacht(self) -> str:
+        """The yacht that is chosen, or will be when the yachts are loaded."""
+        return self._wanted_yacht
 
     def _yacht_picked(self) -> None:
         self._wanted_yacht = self.yacht_box.currentText()
@@ -361,6 +363,6 @@ class PassageForm(QFrame):
         self.show_options(shown=True)
 
     def set_running(self, *, running: bool) -> None:
-        """A calculation runs, or none does. The fields stay free: changing them disturbs nothing."""
+        """Tell that a calculation runs, or none does. Changing the fields meanwhile disturbs nothing."""
         self.calculate_button.setEnabled(not running)
         self.cancel_button.setEnabled(running)

@@ -140,7 +140,7 @@ def way_out_text(way_out: WayOut) -> str:
 
 
 def notices_of(passage: Passage, now: datetime) -> list[Message]:
-    """What must be read with a passage, most important first."""
+    """Collect what must be read with a passage, most important first."""
     forecast = passage.forecast
     messages = []
     if forecast.notice:
@@ -153,9 +153,9 @@ def notices_of(passage: Passage, now: datetime) -> list[Message]:
                 tr("A newer one may change the passage; calculate again when you are online."),
             )
         )
-    messages += [
-        Message("info", "", sentence) for sentence in passage.notices if sentence != forecast.notice
-    ]
+    others = [sentence for sentence in passage.notices if sentence != forecast.notice]
+    if others:
+        messages.append(Message("info", "", "\n".join(others)))
     return messages
 
 
@@ -171,5 +171,3 @@ def format_age(hours: float) -> str:
     if hours < 48.0:
         return tr("{n} h").format(n=round(hours))
     return tr("{n} days").format(n=round(hours / 24.0))
-
-

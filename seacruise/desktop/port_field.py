@@ -49,7 +49,7 @@ class PortField(QLineEdit):
         return self._port
 
     def require_port(self) -> Port:
-        """The port that is named.
+        """Find the port that is named.
 
         Raises
         ------

@@ -78,16 +78,12 @@ class WindowState:
 
     def started(self, generation: int) -> WindowState:
         """State when a calculation begins; it supersedes any other."""
-        return replace(
-            self, phase=Phase.COMPUTING, generation=generation, progress=Progress(), error=None
-        )
+        return replace(self, phase=Phase.COMPUTING, generation=generation, progress=Progress(), error=None)
 
     def _awaits(self, generation: int) -> bool:
         return self.phase is Phase.COMPUTING and generation == self.generation
 
-    def progressed(
-        self, generation: int, stage: str, fraction: float | None, message: str
-    ) -> WindowState:
+    def progressed(self, generation: int, stage: str, fraction: float | None, message: str) -> WindowState:
         """State after a report of progress."""
         if not self._awaits(generation):
             return self

@@ -113,7 +113,7 @@ QLabel#fineprint {{ color: {MUTED}; }}
 QLabel#good {{ color: {GOOD_INK}; }}
 QLineEdit, QComboBox, QDateEdit, QTimeEdit, QDoubleSpinBox {{
     background: {CARD}; color: {INK}; border: 1px solid {FIELD_LINE}; border-radius: 6px;
-    padding: 4px 7px; min-height: 20px; selection-background-color: {ACCENT}; }}
+    padding: 4px 7px; min-height: 21px; selection-background-color: {ACCENT}; }}
 QLineEdit:hover, QComboBox:hover, QDateEdit:hover, QTimeEdit:hover, QDoubleSpinBox:hover {{
     border-color: #7F98AB; }}
 QLineEdit:focus, QComboBox:focus, QDateEdit:focus, QTimeEdit:focus, QDoubleSpinBox:focus {{
@@ -128,10 +128,13 @@ QComboBox QAbstractItemView, QListView#completions {{
     background: {CARD}; border: 1px solid {FIELD_LINE}; padding: 3px; outline: 0;
     selection-background-color: {TINT}; selection-color: {INK}; }}
 QListView#completions::item {{ padding: 4px 6px; }}
-QDoubleSpinBox::up-button, QTimeEdit::up-button {{ border: 0; width: 20px; margin: 2px 2px 0 0; }}
-QDoubleSpinBox::down-button, QTimeEdit::down-button {{ border: 0; width: 20px; margin: 0 2px 2px 0; }}
-QDoubleSpinBox::up-arrow, QTimeEdit::up-arrow {{ image: url({icons}/chevron-up.svg); width: 9px; height: 9px; }}
-QDoubleSpinBox::down-arrow, QTimeEdit::down-arrow {{
+QAbstractSpinBox QLineEdit, QAbstractSpinBox QLineEdit:focus, QAbstractSpinBox QLineEdit:hover {{
+    border: 0; padding: 0 0 0 6px; min-height: 0; background: transparent; }}
+QAbstractSpinBox::up-button {{ subcontrol-origin: border; border: 0; width: 20px; margin: 2px 2px 0 0; }}
+QAbstractSpinBox::down-button {{ subcontrol-origin: border; border: 0; width: 20px; margin: 0 2px 2px 0; }}
+QAbstractSpinBox::up-arrow {{
+    image: url({icons}/chevron-up.svg); width: 9px; height: 9px; }}
+QAbstractSpinBox::down-arrow {{
     image: url({icons}/chevron-down.svg); width: 9px; height: 9px; }}
 QPushButton {{ background: {CARD}; color: {ACCENT}; border: 1px solid {FIELD_LINE}; border-radius: 6px;
     padding: 5px 12px; min-height: 20px; }}
@@ -144,7 +147,8 @@ QPushButton#primary:hover {{ background: {ACCENT_HOVER}; }}
 QPushButton#primary:pressed {{ background: {ACCENT_PRESSED}; }}
 QPushButton#primary:focus {{ border: 2px solid #8CC7EA; }}
 QPushButton#primary:disabled {{ background: #B9CBD8; border-color: #B9CBD8; color: #F4F8FA; }}
-QPushButton#flat {{ border: 0; background: transparent; padding: 2px 4px; text-align: left; color: {ACCENT}; }}
+QPushButton#flat {{ border: 0; background: transparent; padding: 2px 4px; text-align: left;
+    color: {ACCENT}; }}
 QPushButton#flat:hover {{ text-decoration: underline; background: transparent; }}
 QPushButton#flat:focus {{ border: 2px solid {FOCUS}; border-radius: 4px; padding: 0 2px; }}
 QToolButton {{ background: {CARD}; border: 1px solid {FIELD_LINE}; border-radius: 6px; padding: 4px; }}
@@ -194,7 +198,8 @@ QCalendarWidget QToolButton#qt_calendar_nextmonth {{ qproperty-icon: url({icons}
 QCalendarWidget QAbstractItemView {{ selection-background-color: {ACCENT}; selection-color: white; }}
 QScrollBar:vertical {{ background: transparent; width: 11px; margin: 0; }}
 QScrollBar:horizontal {{ background: transparent; height: 11px; margin: 0; }}
-QScrollBar::handle {{ background: #B7C7D3; border-radius: 4px; margin: 2px; min-height: 28px; min-width: 28px; }}
+QScrollBar::handle {{ background: #B7C7D3; border-radius: 4px; margin: 2px;
+    min-height: 28px; min-width: 28px; }}
 QScrollBar::handle:hover {{ background: #8FA6B6; }}
 QScrollBar::add-line, QScrollBar::sub-line {{ width: 0; height: 0; }}
 QScrollBar::add-page, QScrollBar::sub-page {{ background: transparent; }}

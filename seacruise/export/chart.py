@@ -45,6 +45,9 @@ _INK = "#1d2b36"
 _BARBS = "#5b6f7d"
 _MAGENTA = "#b0006e"
 
+_LABEL_GAP_PX: Final = 40.0
+"""Of waypoints closer than this, as in a beat, one has its time written."""
+
 _STEPS_MIN: Final = (1, 2, 5, 10, 15, 30, 60, 120, 300, 600)
 _BARS_NM: Final = (0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500)
 
@@ -159,7 +162,7 @@ def _draw_land(axes: Axes, frame: _Frame) -> list[Outline]:
     from matplotlib.patches import Rectangle
     from matplotlib.path import Path as Outline
 
-    level = 0 if frame.span > 9.0 else 1 if frame.span > 2.0 else 2
+    level = 0 if frame.span > 16.0 else 1 if frame.span > 2.5 else 2
     outlines = []
     for rings in chart_land(level):
         shore = rings[0]
@@ -176,7 +179,8 @@ def _draw_land(axes: Axes, frame: _Frame) -> list[Outline]:
         ]
         outlines.append(Outline.make_compound_path(*(Outline(r, closed=True) for r in projected)))
     axes.add_collection(
-        PathCollection(outlines, facecolors=_LAND, edgecolors=_SHORE, linewidths=0.4, zorder=2), autolim=False
+        PathCollection(outlines, facecolors=_LAND, edgecolors=_SHORE, linewidths=0.25, zorder=2),
+        autolim=False,
     )
     low, high = float(_mercator(FINE_SOUTH)), float(_mercator(FINE_NORTH))
     outside = [
@@ -319,11 +323,16 @@ def _draw_waypoints(axes: Axes, passage: Passage) -> None:
         x, y, "o", markersize=4.5, color="white", markeredgecolor=_MAGENTA, markeredgewidth=1.3, zorder=8
     )
     pixels = axes.transData.transform(np.column_stack([x, y]))
-    ends = {0: passage.start.name, len(x) - 1: passage.end.name}
+    first, last = (shorten(place.name, 26, placeholder=" ...") for place in (passage.start, passage.end))
+    ends = {0: first, len(x) - 1: last}
     taken: list[Bbox] = []
+    labelled: list[int] = []
     for number in sorted(range(len(x)), key=lambda k: k not in ends):
         clock = f"{to_minute(passage.waypoints[number].time):%d.%m. %H:%M}"
         name = ends.get(number)
+        near = np.hypot(*(pixels[labelled] - pixels[number]).T) < _LABEL_GAP_PX
+        if name is None and near.any():
+            continue
         label = axes.annotate(
             f"{name}\n{clock}" if name else clock,
             (x[number], y[number]),
@@ -341,6 +350,7 @@ def _draw_waypoints(axes: Axes, passage: Passage) -> None:
             label.remove()
         else:
             taken.append(box)
+            labelled.append(number)
 
 
 def _beside(right: int, above: int) -> dict[str, Any]:
@@ -399,7 +409,7 @@ def _write_texts(figure: Figure, passage: Passage, barbs_at: datetime | None) ->
     source = passage.forecast.source + (f", issued {format_day_time(issued)} UTC" if issued else "")
     barbs = f"   |   Barbs: {format_day_time(barbs_at)} UTC" if barbs_at else ""
     head = f"{title(passage)}: {format_duration(passage.duration_h)}"
-    write(_LEFT_IN, -0.42, head, fontsize=min(16.0, 62.0 * width / len(head)))
+    write(_LEFT_IN, -0.42, head, fontsize=min(16.0, 95.0 * width / len(head)))
     write(_LEFT_IN, -0.92, facts, fontsize=9, linespacing=1.5)
     write(_LEFT_IN, 0.40, f"Wind: {shorten(source, 70, placeholder=' ...')}{barbs}")
     write(_LEFT_IN, 0.17, NOTICE, color=_MAGENTA, fontweight="bold")

@@ -31,7 +31,7 @@ def boat_speed(u, v, east, north, speeds):
     r, c = int(row), int(column)
     fr, fc = row - r, column - c
     a, b, d, e = table[r, c], table[r, c + 1], table[r + 1, c], table[r + 1, c + 1]
-    if min(min(a, b), min(d, e)) < 0.0:
+    if min(a, b, d, e) < 0.0:
         return -1.0
     return (a * (1 - fc) + b * fc) * (1 - fr) + (d * (1 - fc) + e * fc) * fr
 
@@ -270,3 +270,41 @@ def sail_legs(t, x, y, piece, wind, speeds):
     for k in range(1, x.size):
         arrival[k] = sail_rhumb(arrival[k - 1], x[k - 1], y[k - 1], x[k], y[k], piece, wind, speeds)
     return arrival
+
+
+ROW_HEIGHT = np.sqrt(3.0) / 2.0
+
+
+@kernel
+def mark_corridor(lines, reach, side, x0, y0, column0, row0, marked):
+    """Mark the points of an axial frame that lie within ``reach`` of lines ``(n, 4)``.
+
+    ``marked[r, c]`` stands for the axial position ``(column0 + c, row0 + r)`` of a triangular lattice of
+    spacing ``side`` whose origin is ``x0, y0``.
+    """
+    rows, columns = marked.shape
+    for k in range(lines.shape[0]):
+        ax, ay = lines[k, 0] - x0, lines[k, 1] - y0
+        dx, dy = lines[k, 2] - lines[k, 0], lines[k, 3] - lines[k, 1]
+        square = dx * dx + dy * dy
+        low = int(np.ceil((min(ay, ay + dy) - reach) / (side * ROW_HEIGHT)))
+        high = int(np.floor((max(ay, ay + dy) + reach) / (side * ROW_HEIGHT)))
+        for row in range(max(low, row0), min(high, row0 + rows - 1) + 1):
+            y = row * side * ROW_HEIGHT
+            # Only the part of the line within reach of this row can mark points of it.
+            first, last = 0.0, 1.0
+            if dy != 0.0:
+                one, two = (y - reach - ay) / dy, (y + reach - ay) / dy
+                first, last = max(0.0, min(one, two)), min(1.0, max(one, two))
+            left = min(ax + first * dx, ax + last * dx) - reach
+            right = max(ax + first * dx, ax + last * dx) + reach
+            begin = max(int(np.ceil(left / side - 0.5 * row)), column0)
+            end = min(int(np.floor(right / side - 0.5 * row)), column0 + columns - 1)
+            for column in range(begin, end + 1):
+                x = (column + 0.5 * row) * side
+                t = 0.0
+                if square > 0.0:
+                    t = min(max(((x - ax) * dx + (y - ay) * dy) / square, 0.0), 1.0)
+                ox, oy = x - ax - t * dx, y - ay - t * dy
+                if ox * ox + oy * oy <= reach * reach:
+                    marked[row - row0, column - column0] = True

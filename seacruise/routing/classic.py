@@ -13,11 +13,11 @@ from typing import Final
 
 import numpy as np
 
-from seacruise.geodesy import EARTH_RADIUS, from_mercator, scale
+from seacruise.geodesy import EARTH_RADIUS, scale, to_mercator
 from seacruise.routing import lattice as lattices
 from seacruise.routing import stencil
 from seacruise.routing.field import Handling
-from seacruise.routing.lattice import Area, Lattice
+from seacruise.routing.lattice import NO_LEVELS, Area, Lattice, Levels
 from seacruise.routing.reference import Sail, array_queue_search
 from seacruise.routing.search import Found
 from seacruise.sea import Sea
@@ -35,9 +35,18 @@ ENTERED_FROM: Final = 6
 
 
 def lattice(
-    sea: Sea, start: tuple[float, float], end: tuple[float, float], *, spacing_nm: float, line: object
+    sea: Sea,
+    start: tuple[float, float],
+    end: tuple[float, float],
+    *,
+    spacing_nm: float = SPACING_NM,
+    levels: Levels = NO_LEVELS,
 ) -> Lattice:
-    """R1's lattice between two positions [degrees]: rectangle, second ring, end entered from 6 vertices."""
+    """R1's lattice between two positions [degrees]: rectangle, second ring, end entered from 6 vertices.
+
+    ``levels`` other than none refine it towards shore and ports, which R1 did not.
+    """
+    (x0, x1), (y0, y1) = to_mercator([start[0], end[0]], [start[1], end[1]])
     half_width = EARTH_RADIUS * math.radians(HALF_WIDTH_DEG) / float(scale((start[0] + end[0]) / 2))
     return lattices.build(
         sea,
@@ -45,7 +54,8 @@ def lattice(
         end,
         spacing_nm=spacing_nm,
         offsets=stencil.second_ring(),
-        area=Area("rectangle", line, half_width),
+        area=Area("rectangle", np.array([[x0, y0, x1, y1]]), half_width),
+        levels=levels,
         enter_from=ENTERED_FROM,
     )
 
@@ -87,8 +97,3 @@ def rows_as_published(grid: Lattice) -> list[str]:
         f"{v} --> {' '.join(map(str, grid.target[grid.first[v] : grid.first[v + 1]].tolist()))}".rstrip()
         for v in range(grid.vertices)
     ]
-
-
-def path_degrees(grid: Lattice, path: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Positions [degrees] of the vertices of a path."""
-    return from_mercator(grid.x[path], grid.y[path])

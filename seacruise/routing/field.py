@@ -22,8 +22,9 @@ PER_TWS: Final = 4.0
 COSINES: Final = 513
 """Columns of the speed table, even in the cosine of the wind angle: a beat's 1 / cos is smooth in it."""
 
-SLICE_S: Final = 900.0
-"""Usual length of a slice of time [s]."""
+FINE_SLICE_S: Final = 900.0
+COARSE_SLICE_S: Final = 3600.0
+"""Lengths of the slices of time [s]: for relaxing waypoints, and for the first look at the whole area."""
 
 MOST_BYTES: Final = 96 * 2**20
 """A field larger than this gets longer slices instead."""
@@ -46,19 +47,21 @@ class WindField:
     strongest: float
 
 
-def wind_field(wind: Wind, *, since: float | None = None) -> WindField:
+def wind_field(wind: Wind, *, slice_s: float = FINE_SLICE_S, since: float | None = None) -> WindField:
     """Interpolate the wind to the middle of even slices of time.
 
     Parameters
     ----------
+    slice_s
+        Length of a slice [s]; longer ones are taken where the field would get too large.
     since
         Seconds since 1970 from which it is needed; the begin of the forecast by default.
     """
     begin, end = float(wind.time[0]), float(wind.time[-1])
     if since is not None:
-        begin = min(max(begin, np.floor((since - begin) / SLICE_S) * SLICE_S + begin), end)
+        begin = min(max(begin, np.floor((since - begin) / slice_s) * slice_s + begin), end)
     nodes = wind.u.shape[1] * wind.u.shape[2]
-    step = SLICE_S
+    step = slice_s
     while (end - begin) / step * nodes * 8 > MOST_BYTES:
         step *= 2
     count = int(np.ceil((end - begin) / step))

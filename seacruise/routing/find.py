@@ -6,10 +6,11 @@ there is no passage, this is where the reason is found.
 
 from __future__ import annotations
 
+import math
 import time
 from collections import OrderedDict
 from dataclasses import dataclass, field, replace
-from typing import Any, Final
+from typing import Any, Final, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,24 +20,30 @@ from seacruise.geodesy import great_circle_m, scale, to_mercator
 from seacruise.progress import Job
 from seacruise.routing import classic, stencil
 from seacruise.routing import lattice as lattices
-from seacruise.routing.field import Handling, SpeedTable, WindField, speed_table, wind_field
+from seacruise.routing.field import COARSE_SLICE_S, Handling, SpeedTable, WindField, speed_table, wind_field
 from seacruise.routing.lattice import Area, Lattice, Levels
-from seacruise.routing.refine import Line, Waters, refine, simplified, timed
+from seacruise.routing.refine import Line, Waters, refine, timed
 from seacruise.routing.search import connected, search
 from seacruise.sea import Sea
-from seacruise.units import METRES_PER_NM
+from seacruise.units import METRES_PER_NM, MS_PER_KNOT
 from seacruise.weather.wind import Wind
 from seacruise.yacht.polar import Polar
 
 Array = NDArray[np.float64]
+Position = tuple[float, float]
 
 COURSES: Final = 36
 """Courses of the first search: enough that it chooses the right side of an island."""
 
-PORT_NM: Final = 25.0
-"""Within this distance of its ends a passage may need the finest lattice [nm]: archipelagos."""
+SPACING_NM: Final = 5.0
+SHORE_NM: Final = 2.5
+APPROACH_NM: Final = 0.15
+"""Spacings of the first search [nm]: at sea, near the shore, and where the ends lie among islands."""
 
-_FIRST_REACH: Final = 1.25
+OPEN_WATER_NM: Final = 3.5
+"""Room on all sides [nm] with which the approach of a port is over; bays among islands have less."""
+
+_FIRST_REACH: Final = 1.3
 _LAST_REACH: Final = 4.0
 _KEPT: Final = 8
 
@@ -45,10 +52,10 @@ _KEPT: Final = 8
 class How:
     """How to search; see `seacruise.passage.Options`."""
 
-    preset: str
+    preset: Literal["precise", "classic"]
     directions: int | None
     spacing_nm: float | None
-    area: str | None
+    area: Literal["ellipse", "rectangle"] | None
     refine: bool
     handling: Handling
 
@@ -80,162 +87,198 @@ class LatticeCache:
     def __init__(self) -> None:
         self._kept: OrderedDict[Any, Lattice] = OrderedDict()
 
-    def get(self, sea: Sea, key: tuple[Any, ...], **recipe: Any) -> Lattice:
-        """The lattice of a recipe (see `lattice.build`), which ``key`` must tell from all others."""
-        if key not in self._kept:
-            self._kept[key] = lattices.build(sea, **recipe)
+    def get(self, key: tuple[Any, ...], sea: Sea, ends: tuple[Position, Position], **recipe: Any) -> Lattice:
+        """Return the lattice of a recipe (see `lattice.build`); ``key`` must tell it from all others."""
+        whole = (id(sea.water.cells), ends, *key)
+        if whole not in self._kept:
+            self._kept[whole] = lattices.build(sea, *ends, **recipe)
             while len(self._kept) > _KEPT:
                 self._kept.popitem(last=False)
-        self._kept.move_to_end(key)
-        return self._kept[key]
+        self._kept.move_to_end(whole)
+        return self._kept[whole]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Question:
+    """What is asked of the router.
+
+    Attributes
+    ----------
+    start, end
+        Positions on the water [degrees].
+    departure
+        Seconds since 1970.
+    """
+
+    sea: Sea
+    wind: Wind
+    polar: Polar
+    how: How
+    start: Position
+    end: Position
+    departure: float
+
+    @property
+    def direct_m(self) -> float:
+        """Great-circle distance of the ends [m]."""
+        return float(great_circle_m(*self.start, *self.end))
+
+    @property
+    def ends(self) -> Array:
+        """The direct line in the Mercator plane [m], ``(1, 4)``."""
+        x, y = to_mercator(*zip(self.start, self.end, strict=True))
+        return np.array([[x[0], y[0], x[1], y[1]]])
+
+    @property
+    def plane_per_nm(self) -> float:
+        """Metres of the plane per nautical mile at the middle latitude."""
+        return METRES_PER_NM / float(scale((self.start[0] + self.end[0]) / 2))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Fastest:
-    """The line found, what it was found on, and what the bounds need."""
+    """The line found, the lattice it was found on, and the speeds that bounds need."""
 
     line: Line
     lattice: Lattice
     speeds: SpeedTable
 
 
-def fastest(
-    sea: Sea,
-    wind: Wind,
-    polar: Polar,
-    how: How,
-    start: tuple[float, float],
-    end: tuple[float, float],
-    departure: float,
-    *,
-    job: Job,
-    ledger: Ledger,
-    cache: LatticeCache,
-) -> Fastest:
-    """Find the fastest passage between two positions on the water [degrees].
+class Finder:
+    """Answers questions; keeps the lattices of the last ones."""
 
-    Raises
-    ------
-    NoPassageError
-        With the reason: ``no-water-path``, ``becalmed``, ``wind-limit`` or ``dead-angle``.
-    """
-    waters = Waters(sea, wind_field(wind, since=departure), speed_table(polar, how.handling))
-    ledger.lap("wind")
-    if how.preset == "classic":
-        line, grid = _classic(
-            waters, wind, polar, how, start, end, departure, job=job, ledger=ledger, cache=cache
-        )
-    else:
-        line, grid = _precise(waters, how, start, end, departure, job=job, ledger=ledger, cache=cache)
-    if line is None:
-        raise _why_not(waters, polar, how, grid, departure)
-    job.check()
-    if how.refine:
-        job.report("refine", None, "Refining the passage")
-        line, settled = refine(waters, line, job)
-        ledger.settled += settled
-    elif how.preset != "classic":
-        line = simplified(waters, line, share=1e-6)
-    ledger.lap("refine")
-    ledger.vertices, ledger.edges = grid.vertices, int(grid.target.size)
-    return Fastest(line, grid, waters.speeds)
+    def __init__(self) -> None:
+        self.cache = LatticeCache()
 
+    def fastest(self, asked: Question, *, job: Job, ledger: Ledger) -> Fastest:
+        """Find the fastest passage.
 
-def _precise(
-    waters: Waters,
-    how: How,
-    start: tuple[float, float],
-    end: tuple[float, float],
-    departure: float,
-    *,
-    job: Job,
-    ledger: Ledger,
-    cache: LatticeCache,
-) -> tuple[Line | None, Lattice]:
-    """Search the whole area; widen it until nothing outside can be faster."""
-    direct = float(great_circle_m(*start, *end))
-    ledger.directions = how.directions or COURSES
-    ledger.spacing_nm = how.spacing_nm or min(5.0, max(0.5, direct / METRES_PER_NM / 40))
-    reach = max(direct * _FIRST_REACH, direct + 20 * METRES_PER_NM)
-    while True:
-        grid = _lattice(waters, how, start, end, reach, job=job, ledger=ledger, cache=cache)
+        Raises
+        ------
+        NoPassageError
+            With the reason: ``no-water-path``, ``becalmed``, ``wind-limit`` or ``dead-angle``.
+        """
+        speeds = speed_table(asked.polar, asked.how.handling)
+        coarse = wind_field(asked.wind, slice_s=COARSE_SLICE_S, since=asked.departure)
+        fine = wind_field(asked.wind, since=asked.departure)
+        waters = Waters(asked.sea, fine, speeds)
+        ledger.lap("wind")
+        if asked.how.preset == "classic":
+            line, grid = _classic(asked, job, ledger)
+        else:
+            line, grid = self._precise(asked, waters, coarse, job, ledger)
+        if line is None:
+            raise _why_not(asked, grid, coarse)
         job.check()
-        job.report("search", None, f"Searching {grid.vertices:,} vertices")
-        found = search(grid, waters.field, waters.speeds, departure)
-        ledger.settled += found.settled
-        ledger.lap("search")
-        path = found.path(grid.end)
-        if path.size:
-            line = timed(waters, grid.x[path], grid.y[path], departure)
-            needed = min(line.seconds * waters.speeds.fastest(waters.field.strongest), direct * _LAST_REACH)
-            if how.area == "rectangle" or needed <= reach * 1.001 or reach >= direct * 1.6:
-                return line, grid
-            reach = min(needed, max(direct * 1.6, reach))
-            continue
-        if how.area == "rectangle" or reach >= direct * _LAST_REACH:
-            return None, grid
-        reach = min(reach * 1.8, direct * _LAST_REACH + 100 * METRES_PER_NM)
+        if asked.how.refine:
+            job.report("refine", None, "Refining the passage")
+            line, settled = refine(waters, line, job)
+            ledger.settled += settled
+        ledger.lap("refine")
+        ledger.vertices, ledger.edges = grid.vertices, int(grid.target.size)
+        return Fastest(line, grid, speeds)
+
+    def _precise(
+        self, asked: Question, waters: Waters, coarse: WindField, job: Job, ledger: Ledger
+    ) -> tuple[Line | None, Lattice]:
+        """Search the area; widen it until nothing outside it can be faster, and refine it until it is open."""
+        direct = asked.direct_m
+        ledger.directions = asked.how.directions or COURSES
+        ledger.spacing_nm = asked.how.spacing_nm or min(SPACING_NM, max(0.5, direct / METRES_PER_NM / 40))
+        reach = max(direct * _FIRST_REACH, direct + 20 * METRES_PER_NM)
+        shore = SHORE_NM
+        while True:
+            grid = self._lattice(asked, reach, shore, job, ledger)
+            job.check()
+            job.report("search", None, f"Searching {grid.vertices:,} vertices")
+            found = search(grid, coarse, waters.speeds, asked.departure)
+            ledger.settled += found.settled
+            ledger.lap("search")
+            path = found.path(grid.end)
+            if path.size:
+                line = timed(waters, grid.x[path], grid.y[path], asked.departure)
+                needed = _reach_needed(asked, waters, line.seconds)
+                if asked.how.area == "rectangle" or needed <= reach:
+                    return line, grid
+                reach = needed
+            elif shore > 0.5 and not connected(grid):
+                shore /= 2
+            elif asked.how.area == "rectangle" or reach >= direct * _LAST_REACH:
+                return None, grid
+            else:
+                reach = max(reach * 2, direct + 100 * METRES_PER_NM)
+
+    def _lattice(self, asked: Question, reach: float, shore: float, job: Job, ledger: Ledger) -> Lattice:
+        """Build or recall the lattice of an area."""
+        job.report("lattice", None, "Building the lattice")
+        spacing = ledger.spacing_nm
+        if asked.how.area == "rectangle":
+            area = Area("rectangle", asked.ends, classic.HALF_WIDTH_DEG * 60 * asked.plane_per_nm)
+        else:
+            area = Area("ellipse", asked.ends, math.ceil(reach / METRES_PER_NM) * METRES_PER_NM)
+        grid = self.cache.get(
+            (spacing, ledger.directions, area.kind, area.reach_m, shore),
+            asked.sea,
+            (asked.start, asked.end),
+            spacing_nm=spacing,
+            offsets=stencil.triangular(ledger.directions),
+            area=area,
+            levels=approach_levels(asked, spacing, shore),
+        )
+        ledger.lap("lattice")
+        return grid
 
 
-def _lattice(
-    waters: Waters,
-    how: How,
-    start: tuple[float, float],
-    end: tuple[float, float],
-    reach: float,
-    *,
-    job: Job,
-    ledger: Ledger,
-    cache: LatticeCache,
-) -> Lattice:
-    job.report("lattice", None, "Building the lattice")
-    line = np.stack(to_mercator([start[0], end[0]], [start[1], end[1]]), axis=1)
-    spacing = ledger.spacing_nm
-    flat = float(scale((start[0] + end[0]) / 2))
-    if how.area == "rectangle":
-        area = Area("rectangle", line, classic.HALF_WIDTH_DEG * 60 * METRES_PER_NM / flat)
-    else:
-        reach = float(np.ceil(reach / METRES_PER_NM)) * METRES_PER_NM
-        area = Area("ellipse", line, reach)
-    everywhere = max(0, round(np.log2(spacing / 0.6)))
-    at_ports = max(0, round(np.log2(spacing / 0.15)) - everywhere)
-    levels = Levels(everywhere, at_ports, PORT_NM * METRES_PER_NM / flat)
-    key = (id(waters.sea.water), start, end, spacing, ledger.directions, area.kind, area.reach_m)
-    grid = cache.get(
-        waters.sea,
-        key,
-        start=start,
-        end=end,
-        spacing_nm=spacing,
-        offsets=stencil.triangular(ledger.directions),
-        area=area,
-        levels=levels,
+def approach_levels(asked: Question, spacing_nm: float, shore_nm: float) -> Levels:
+    """Levels that lead from both ends to open water, as far as islands and narrows reach."""
+    everywhere = max(0, math.ceil(math.log2(spacing_nm / shore_nm)))
+    approaches = max(0, math.ceil(math.log2(spacing_nm / APPROACH_NM)) - everywhere)
+    room = OPEN_WATER_NM * asked.plane_per_nm
+    ways = [asked.sea.ways_out(*port, room_m=room) for port in (asked.start, asked.end)]
+    return Levels(everywhere, approaches, np.concatenate(ways))
+
+
+def _reach_needed(asked: Question, waters: Waters, seconds: float) -> float:
+    """Distance [m] that no passage can sail in a time: the ellipse of that size holds all faster ones.
+
+    In each slice of time the fastest she can be is her best speed in the strongest wind then blowing
+    anywhere near.
+    """
+    u, v, begin, step, south, per_lat, west, per_lon = waters.field.arrays
+    lat = south + np.arange(u.shape[1]) / per_lat if per_lat else np.full(u.shape[1], south)
+    lon = west + np.arange(u.shape[2]) / per_lon if per_lon else np.full(u.shape[2], west)
+    lat, lon = np.meshgrid(lat, lon, indexing="ij")
+    at_most = waters.speeds.fastest(waters.field.strongest) * seconds
+    cell = (1.0 / per_lat if per_lat else 0.0) * 111_200.0
+    inside = (
+        great_circle_m(lat, lon, *asked.start) + great_circle_m(lat, lon, *asked.end) <= at_most + 2 * cell
     )
-    ledger.lap("lattice")
-    return grid
+    reach, t = 0.0, asked.departure
+    while t < asked.departure + seconds:
+        k = min(int((t - begin) / step), u.shape[0] - 1)
+        until = min(begin + (k + 1) * step if k < u.shape[0] - 1 else math.inf, asked.departure + seconds)
+        strongest = float(np.hypot(u[k][inside], v[k][inside]).max(initial=0.0))
+        reach += waters.speeds.fastest(strongest) * (until - t)
+        t = until
+    return reach
 
 
-def _classic(
-    waters: Waters,
-    wind: Wind,
-    polar: Polar,
-    how: How,
-    start: tuple[float, float],
-    end: tuple[float, float],
-    departure: float,
-    *,
-    job: Job,
-    ledger: Ledger,
-    cache: LatticeCache,
-) -> tuple[Line | None, Lattice]:
-    del cache
-    job.report("lattice", None, "Building the lattice")
-    ledger.directions, ledger.spacing_nm = 12, how.spacing_nm or classic.SPACING_NM
-    line = np.stack(to_mercator([start[0], end[0]], [start[1], end[1]]), axis=1)
-    grid = classic.lattice(waters.sea, start, end, spacing_nm=ledger.spacing_nm, line=line)
-    ledger.lap("lattice")
+def _classic(asked: Question, job: Job, ledger: Ledger) -> tuple[Line | None, Lattice]:
+    """R1's search; where R1's own lattice is cut off from a port, it is refined at the shore and ports."""
+    ledger.directions, ledger.spacing_nm = 12, asked.how.spacing_nm or classic.SPACING_NM
+    shore = ledger.spacing_nm
+    levels = lattices.NO_LEVELS
+    while True:
+        job.report("lattice", None, "Building the lattice")
+        grid = classic.lattice(asked.sea, asked.start, asked.end, spacing_nm=ledger.spacing_nm, levels=levels)
+        ledger.lap("lattice")
+        if connected(grid) or shore < 0.5:
+            break
+        shore /= 2
+        levels = approach_levels(asked, ledger.spacing_nm, shore)
+    job.check()
     job.report("search", None, f"Searching {grid.vertices:,} vertices")
-    found = classic.search(grid, wind, polar, how.handling, departure)
+    found = classic.search(grid, asked.wind, asked.polar, asked.how.handling, asked.departure)
     ledger.settled += found.settled
     ledger.lap("search")
     path = found.path(grid.end)
@@ -244,29 +287,30 @@ def _classic(
     return Line(grid.x[path], grid.y[path], found.arrival[path]), grid
 
 
-def _why_not(waters: Waters, polar: Polar, how: How, grid: Lattice, departure: float) -> NoPassageError:
+def _why_not(asked: Question, grid: Lattice, wind: WindField) -> NoPassageError:
     """Find out why nothing was found: take the obstacles away one by one."""
     if not connected(grid):
         return NoPassageError(
-            "There is no way by water between the two ports in the area searched; choose other ports, a finer "
-            "--spacing, or check that both lie on the same sea.",
+            "There is no way by water between the two ports in the area searched; choose other ports, or check "
+            "that both lie on the same sea.",
             reason="no-water-path",
         )
 
     def passable(handling: Handling) -> bool:
-        found = search(grid, waters.field, speed_table(polar, handling), departure)
+        found = search(grid, wind, speed_table(asked.polar, handling), asked.departure)
         return bool(np.isfinite(found.arrival[grid.end]))
 
-    if how.handling.max_wind is not None and passable(replace(how.handling, max_wind=None, tacking=True)):
+    handling = asked.how.handling
+    if handling.max_wind is not None and passable(replace(handling, max_wind=None)):
         return NoPassageError(
-            f"Every way leads through more wind than the {how.handling.max_wind / (1852 / 3600):.0f} kn you allow; "
+            f"Every way leads through more wind than the {handling.max_wind / MS_PER_KNOT:.0f} kn you allow; "
             "leave at another time or raise the limit.",
             reason="wind-limit",
         )
-    if not how.handling.tacking and passable(replace(how.handling, tacking=True)):
+    if not handling.tacking and passable(replace(handling, tacking=True)):
         return NoPassageError(
-            "Every way leads at some time through the yacht's dead angle, and tacking is switched off; allow "
-            "tacking (the precise preset does) or leave at another time.",
+            "Every way leads at some time through the yacht's dead angle, and tacking is not allowed; allow it "
+            "(the precise preset does) or leave at another time.",
             reason="dead-angle",
         )
     return NoPassageError(
@@ -274,8 +318,3 @@ def _why_not(waters: Waters, polar: Polar, how: How, grid: Lattice, departure: f
         "forecast, or allow the engine (--motor-below).",
         reason="becalmed",
     )
-
-
-def field_of(wind: Wind) -> WindField:
-    """The whole forecast as the kernels want it."""
-    return wind_field(wind)

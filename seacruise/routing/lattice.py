@@ -8,8 +8,8 @@ vertices, so a fine lattice near the shore is joined to the coarse one by the ve
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
-from typing import Any, Final
+from dataclasses import dataclass, field, replace
+from typing import Final, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,49 +25,53 @@ Array = NDArray[np.float64]
 MOST_VERTICES: Final = 6_000_000
 """Finer lattices are refused: they would not fit in the memory of a small computer."""
 
+APPROACH_SIDES: Final = 6.0
+"""Approaches are refined within so many sides of a level's triangles of a way out."""
+
 _JOINED: Final = 48
+_PAD: Final = 8
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Area:
-    """Where vertices may lie: within a sum of distances to both ends (an ellipse), or along a line.
+    """Where vertices may lie.
 
     Attributes
     ----------
-    line
-        ``(m, 2)`` points of the Mercator plane [m]: the two ends, or the passage around which to refine.
-    reach_m
-        With ``kind="ellipse"`` the greatest sum of the distances to both ends [m, true]; with
-        ``"rectangle"`` and ``"corridor"`` the greatest distance to the line [m of the plane].
+    kind
+        ``"ellipse"``: the sum of the distances to both ends is at most ``reach_m`` [m, true].
+        ``"rectangle"``: at most ``reach_m`` [m of the plane] to each side of the direct line (R1).
+        ``"corridor"``: at most ``reach_m`` [m of the plane] from a line, and half of that for each level.
+    lines
+        ``(n, 4)`` x0, y0, x1, y1 of the Mercator plane [m]: the direct line, or the lines to follow.
     """
 
-    kind: str
-    line: Any
+    kind: Literal["ellipse", "rectangle", "corridor"]
+    lines: Array
     reach_m: float
 
+    def at_level(self, level: int) -> Area:
+        """Give the part in which a level is refined."""
+        return replace(self, reach_m=self.reach_m / 2**level) if self.kind == "corridor" else self
 
-@dataclass(frozen=True, slots=True)
+
+@dataclass(frozen=True, slots=True, eq=False)
 class Levels:
     """How the lattice is refined towards the shore.
 
     Attributes
     ----------
     everywhere
-        Levels by which the whole shore is refined.
-    at_ports
-        Further levels near the two ends.
-    port_m
-        Distance from an end within which those apply [m of the plane].
+        Levels by which the shore is refined in the whole area.
+    approaches
+        Further levels around ``ways``: the ways by which the ends lead out of islands.
+    ways
+        ``(n, 4)`` lines as in `Area`.
     """
 
     everywhere: int = 0
-    at_ports: int = 0
-    port_m: float = 0.0
-
-    @property
-    def deepest(self) -> int:
-        """Number of the finest level."""
-        return self.everywhere + self.at_ports
+    approaches: int = 0
+    ways: Array = field(default_factory=lambda: np.empty((0, 4)))
 
 
 NO_LEVELS: Final = Levels()
@@ -115,6 +119,11 @@ class Lattice:
         """Number of vertices."""
         return int(self.x.size)
 
+    def edges_in_degrees(self) -> NDArray[np.float32]:
+        """Edges ``(m, 4)`` as lat, lon, lat, lon [degrees], for drawing."""
+        a, b = self.sources(), self.target
+        return np.stack([self.lat[a], self.lon[a], self.lat[b], self.lon[b]], axis=1).astype(np.float32)
+
     def sources(self) -> NDArray[np.int32]:
         """Source vertex of each edge, ``(m,)``."""
         return np.repeat(np.arange(self.vertices, dtype=np.int32), np.diff(self.first))
@@ -151,20 +160,27 @@ def build(
     (sx, ex), (sy, ey) = (c.tolist() for c in to_mercator([start[0], end[0]], [start[1], end[1]]))
     middle = float(from_mercator(0.0, (sy + ey) / 2)[0])
     spacing = spacing_nm * METRES_PER_NM / float(scale(middle))
-    grower = _Grower(sea, (sx, sy), (ex, ey), spacing, area, levels)
-    whole = grower.grow(None, 0, offsets, None)
+    grower = _Grower(sea, (sx, sy), (ex, ey), spacing)
+    whole = grower.grow(None, 0, offsets, area)
     for level in range(1, levels.everywhere + 1):
-        whole = grower.grow(whole, level, offsets, None)
-    for port in ((sx, sy), (ex, ey)):
-        patch = whole
-        for level in range(levels.everywhere + 1, levels.deepest + 1):
-            patch = grower.grow(patch, level, offsets, port)
+        whole = grower.grow(whole, level, offsets, area.at_level(level))
+    for level in range(levels.everywhere + 1, levels.everywhere + levels.approaches + 1):
+        around = Area("corridor", levels.ways, APPROACH_SIDES * spacing / 2**level)
+        whole = grower.grow(whole, level, offsets, around)
     return grower.finish(enter_from)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Patch:
-    """Numbers of the vertices at the axial positions of one level; -1 where there is none."""
+    """Vertices of one level.
+
+    Attributes
+    ----------
+    index
+        Numbers of the vertices by axial position, -1 where there is none; its rim is always empty.
+    column, row
+        Axial position of ``index[0, 0]``.
+    """
 
     index: NDArray[np.int32]
     column: int
@@ -172,125 +188,116 @@ class _Patch:
 
 
 class _Grower:
-    """Collects vertices and edges patch by patch; `build` is its only user."""
+    """Collects vertices and edges level by level; `build` is its only user."""
 
     def __init__(
-        self,
-        sea: Sea,
-        start: tuple[float, float],
-        end: tuple[float, float],
-        spacing: float,
-        area: Area,
-        levels: Levels,
+        self, sea: Sea, start: tuple[float, float], end: tuple[float, float], spacing: float
     ) -> None:
-        self.sea, self.start, self.end = sea, start, end
-        self.spacing, self.area, self.levels = spacing, area, levels
+        self.sea, self.start, self.end, self.spacing = sea, start, end, spacing
+        self.finest = spacing
         self.x: list[Array] = []
         self.y: list[Array] = []
         self.count = 0
         self.a: list[NDArray[np.int32]] = []
         self.b: list[NDArray[np.int32]] = []
 
-    def grow(
-        self, above: _Patch | None, level: int, offsets: NDArray[np.int64], port: tuple[float, float] | None
-    ) -> _Patch:
-        """Add the vertices of a level that are not there yet, and the edges of its stencil.
-
-        With a ``port`` only the water within `Levels.port_m` of it, else the whole area.
-        """
+    def grow(self, above: _Patch | None, level: int, offsets: NDArray[np.int64], area: Area) -> _Patch:
+        """Add the vertices of a level that are not there yet, and the edges of its stencil."""
         side = self.spacing / 2**level
-        column, row, shape = self._frame(side, port)
-        if shape[0] * shape[1] > 8 * MOST_VERTICES:
-            raise InputError(
-                f"A lattice of {self.spacing * float(scale(55)) / METRES_PER_NM:.2f} nm over this area is too "
-                "fine for this computer; choose a wider spacing."
-            )
-        rows, columns = np.arange(row, row + shape[0]), np.arange(column, column + shape[1])
-        x = self.start[0] + side * (columns[None, :] + rows[:, None] / 2.0)
-        y = np.broadcast_to((self.start[1] + side * stencil.ROW_HEIGHT * rows)[:, None], shape)
-        wanted = self._wanted(side if level else None, x, y, port)
-        patch = _Patch(np.full(shape, -1, dtype=np.int32), column, row)
+        self.finest = min(self.finest, side)
+        patch = self._frame(side, area)
+        rows, columns = self._candidates(patch, side, area)
+        x, y = self._plane(patch, side, rows, columns)
+        wanted = self._wet(x, y, side if level else None)
+        if area.kind == "ellipse":
+            wanted[wanted] = _inside_ellipse(area, x[wanted], y[wanted])
+        rows, columns, x, y = rows[wanted], columns[wanted], x[wanted], y[wanted]
         if above is not None:
-            _share(patch, above, wanted)
-        fresh = wanted & (patch.index < 0)
+            _share(patch, above, rows, columns)
+        fresh = patch.index[rows, columns] < 0
         number = int(np.count_nonzero(fresh))
-        patch.index[fresh] = np.arange(self.count, self.count + number, dtype=np.int32)
+        if self.count + number > MOST_VERTICES:
+            raise _too_fine()
+        patch.index[rows[fresh], columns[fresh]] = np.arange(self.count, self.count + number, dtype=np.int32)
         self.x.append(x[fresh])
         self.y.append(y[fresh])
         self.count += number
-        self._join(patch.index, offsets)
+        self._join(patch.index, rows, columns, offsets)
         return patch
 
-    def _frame(self, side: float, port: tuple[float, float] | None) -> tuple[int, int, tuple[int, int]]:
-        """First column and row (even), and shape, of the axial rectangle around what is wanted."""
-        line = np.asarray(self.area.line, dtype=np.float64)
-        reach = self.area.reach_m
-        if port is not None:
-            line, reach = np.array([port]), self.levels.port_m
-        elif self.area.kind == "ellipse":
-            flat = float(scale(from_mercator(0.0, np.abs(line[:, 1]).max())[0])) * 0.95
-            length, total = float(np.hypot(*(line[-1] - line[0]))), self.area.reach_m / flat
+    def _frame(self, side: float, area: Area) -> _Patch:
+        """Make room for the axial rectangle around an area (its corner on even numbers)."""
+        ends, reach = area.lines.reshape(-1, 2), area.reach_m
+        if ends.size == 0:
+            ends, reach = np.array([self.start]), 0.0
+        if area.kind == "ellipse":
+            flat = float(scale(from_mercator(0.0, np.abs(ends[:, 1]).max())[0])) * 0.95
+            length, total = float(np.hypot(*(ends[-1] - ends[0]))), area.reach_m / flat
             reach = max((total - length) / 2, math.sqrt(max(0.0, total**2 - length**2)) / 2)
-        low = (line.min(axis=0) - reach - self.start) / side
-        high = (line.max(axis=0) + reach - self.start) / side
-        j0, j1 = math.floor(low[1] / stencil.ROW_HEIGHT), math.ceil(high[1] / stencil.ROW_HEIGHT)
-        i0, i1 = math.floor(low[0] - j1 / 2), math.ceil(high[0] - j0 / 2)
+        low = (ends.min(axis=0) - reach - self.start) / side
+        high = (ends.max(axis=0) + reach - self.start) / side
+        j0, j1 = (
+            math.floor(low[1] / stencil.ROW_HEIGHT) - _PAD,
+            math.ceil(high[1] / stencil.ROW_HEIGHT) + _PAD,
+        )
+        i0, i1 = math.floor(low[0] - j1 / 2) - _PAD, math.ceil(high[0] - j0 / 2) + _PAD
         i0, j0 = i0 - i0 % 2, j0 - j0 % 2
-        return i0, j0, (j1 - j0 + 1, i1 - i0 + 1)
+        shape = (j1 - j0 + 1, i1 - i0 + 1)
+        if shape[0] * shape[1] > 16 * MOST_VERTICES:
+            raise _too_fine()
+        return _Patch(np.full(shape, -1, dtype=np.int32), i0, j0)
 
-    def _wanted(
-        self, refined: float | None, x: Array, y: Array, port: tuple[float, float] | None
-    ) -> NDArray[np.bool_]:
-        """Which points become vertices: water, in the area, and near the shore when refining.
+    def _candidates(
+        self, patch: _Patch, side: float, area: Area
+    ) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+        """Rows and columns of the frame that may become vertices, its rim left out."""
+        from seacruise.routing import _kernels as k
 
-        ``refined`` is the spacing of a refined level: it begins two of its sides from the shore.
-        """
+        marked = np.zeros(patch.index.shape, dtype=bool)
+        if area.kind == "corridor":
+            k.mark_corridor(area.lines, area.reach_m, side, *self.start, patch.column, patch.row, marked)
+        else:
+            marked[:] = True
+            if area.kind == "rectangle":
+                rows, columns = np.nonzero(marked)
+                marked[rows, columns] = _inside_rectangle(area, *self._plane(patch, side, rows, columns))
+        marked[:_PAD], marked[-_PAD:], marked[:, :_PAD], marked[:, -_PAD:] = False, False, False, False
+        return np.nonzero(marked)
+
+    def _plane(
+        self, patch: _Patch, side: float, rows: NDArray[np.intp], columns: NDArray[np.intp]
+    ) -> tuple[Array, Array]:
+        i, j = columns + patch.column, rows + patch.row
+        return self.start[0] + side * (i + j / 2.0), self.start[1] + side * stencil.ROW_HEIGHT * j
+
+    def _wet(self, x: Array, y: Array, refined: float | None) -> NDArray[np.bool_]:
+        """Which points are water; for a refined level of that spacing, within two sides of the shore."""
         from seacruise.sea import _kernels as k
 
         value = self.sea.water.at(x, y)
         wanted = value >= k.WATER
         shore = np.flatnonzero((value == k.SHORE) | (value == k.SHORE_WATER))
-        wanted.ravel()[shore] = self.sea.is_water_at(x.ravel()[shore], y.ravel()[shore])
+        wanted[shore] = self.sea.is_water_at(x[shore], y[shore])
         if refined is not None:
             wanted &= (value.astype(np.float64) - k.WATER) * self.sea.water.cell < 2.0 * refined
-        at = np.flatnonzero(wanted)
-        px, py = x.ravel()[at], y.ravel()[at]
-        if port is not None:
-            keep = np.hypot(px - port[0], py - port[1]) <= self.levels.port_m
-        else:
-            keep = self._inside(px, py)
-        wanted.ravel()[at[~keep]] = False
         return np.asarray(wanted)
 
-    def _inside(self, x: Array, y: Array) -> NDArray[np.bool_]:
-        line = np.asarray(self.area.line, dtype=np.float64)
-        if self.area.kind == "ellipse":
-            total = np.zeros(x.size)
-            lat, lon = from_mercator(x, y)
-            for point in line[[0, -1]]:
-                total += chord_m(lat, lon, *(float(c) for c in from_mercator(*point)))
-            return np.asarray(total <= self.area.reach_m)
-        if self.area.kind == "rectangle":
-            along = (line[-1] - line[0]) / np.hypot(*(line[-1] - line[0]))
-            dx, dy = x - line[0, 0], y - line[0, 1]
-            s, across = dx * along[0] + dy * along[1], dx * along[1] - dy * along[0]
-            length = float(np.hypot(*(line[-1] - line[0])))
-            return np.asarray((np.abs(across) <= self.area.reach_m) & (s >= -1.0) & (s <= length + 1.0))
-        return distance_to_line(x, y, line) <= self.area.reach_m
-
-    def _join(self, index: NDArray[np.int32], offsets: NDArray[np.int64]) -> None:
+    def _join(
+        self,
+        index: NDArray[np.int32],
+        rows: NDArray[np.intp],
+        columns: NDArray[np.intp],
+        offsets: NDArray[np.int64],
+    ) -> None:
         """Add the edges that cross no land, both ways; half of the stencil finds them all."""
-        rows, columns = index.shape
         xs, ys = np.concatenate(self.x), np.concatenate(self.y)
+        flat, width = index.ravel(), index.shape[1]
+        at = rows * width + columns
+        number = flat[at]
         for i, j in offsets[: len(offsets) // 2].tolist():
-            r0, r1 = max(0, -j), min(rows, rows - j)
-            c0, c1 = max(0, -i), min(columns, columns - i)
-            if r0 >= r1 or c0 >= c1:
-                continue
-            a = index[r0:r1, c0:c1]
-            b = index[r0 + j : r1 + j, c0 + i : c1 + i]
-            both = (a >= 0) & (b >= 0)
-            a, b = a[both], b[both]
+            other = flat[at + j * width + i]
+            both = other >= 0
+            a, b = number[both], other[both]
             free = self.sea.clear(np.stack([xs[a], ys[a], xs[b], ys[b]], axis=1))
             self.a.append(a[free])
             self.b.append(b[free])
@@ -326,7 +333,7 @@ class _Grower:
             near = nearest[:most]
         else:
             near = nearest[:_JOINED]
-            for level in range(self.levels.deepest + 1):
+            for level in range(round(math.log2(self.spacing / self.finest)) + 1):
                 ring = np.flatnonzero(away < 2.1 * self.spacing / 2**level)
                 # Of a crowded ring the outer ones: the inner ones belong to the next level.
                 near = np.union1d(near, ring[np.argsort(-away[ring], kind="stable")[:_JOINED]])
@@ -336,9 +343,31 @@ class _Grower:
         return near[free].astype(np.int32)
 
 
-def _share(patch: _Patch, above: _Patch, wanted: NDArray[np.bool_]) -> None:
+def _too_fine() -> InputError:
+    return InputError(
+        f"A lattice of more than {MOST_VERTICES:,} vertices is too fine for this computer; choose a wider "
+        "spacing or a shorter passage."
+    )
+
+
+def _inside_ellipse(area: Area, x: Array, y: Array) -> NDArray[np.bool_]:
+    total = np.zeros(x.size)
+    lat, lon = from_mercator(x, y)
+    for point in (area.lines[0, :2], area.lines[0, 2:]):
+        total += chord_m(lat, lon, *(float(c) for c in from_mercator(*point)))
+    return np.asarray(total <= area.reach_m)
+
+
+def _inside_rectangle(area: Area, x: Array, y: Array) -> NDArray[np.bool_]:
+    x0, y0, x1, y1 = area.lines[0]
+    length = math.hypot(x1 - x0, y1 - y0)
+    ux, uy = (x1 - x0) / length, (y1 - y0) / length
+    along, across = (x - x0) * ux + (y - y0) * uy, (x - x0) * uy - (y - y0) * ux
+    return np.asarray((np.abs(across) <= area.reach_m) & (along >= -1.0) & (along <= length + 1.0))
+
+
+def _share(patch: _Patch, above: _Patch, rows: NDArray[np.intp], columns: NDArray[np.intp]) -> None:
     """Give the points that a level has in common with the one above it the same numbers."""
-    rows, columns = np.nonzero(wanted)
     i, j = columns + patch.column, rows + patch.row
     even = (i % 2 == 0) & (j % 2 == 0)
     rows, columns = rows[even], columns[even]
@@ -354,14 +383,3 @@ def chord_m(lat: Array, lon: Array, lat0: float, lon0: float) -> Array:
     dx = np.cos(p) * np.cos(l) - math.cos(p0) * math.cos(l0)
     dy = np.cos(p) * np.sin(l) - math.cos(p0) * math.sin(l0)
     return np.asarray(EARTH_RADIUS * np.sqrt(dx**2 + dy**2 + (np.sin(p) - math.sin(p0)) ** 2))
-
-
-def distance_to_line(x: Array, y: Array, line: Array) -> Array:
-    """Distance of points of the plane to a line of straight legs ``(m, 2)`` [m of the plane]."""
-    best = np.full(x.size, np.inf)
-    for (ax, ay), (bx, by) in zip(line[:-1], line[1:], strict=True):
-        dx, dy = bx - ax, by - ay
-        square = dx * dx + dy * dy
-        t = np.clip(((x - ax) * dx + (y - ay) * dy) / square, 0.0, 1.0) if square > 0 else 0.0
-        np.minimum(best, np.hypot(x - ax - t * dx, y - ay - t * dy), out=best)
-    return best

@@ -7,26 +7,32 @@ of boards ending on the leg, and no board touching land.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from seacruise.geodesy import from_mercator, scale
+from seacruise.routing.refine import Line
 from seacruise.sea import Sea
 from seacruise.units import METRES_PER_NM
-from seacruise.weather.wind import Wind, to_direction
+from seacruise.weather.wind import to_direction
 from seacruise.yacht.hull import hull_headings
-from seacruise.yacht.polar import Polar
+
+if TYPE_CHECKING:
+    from seacruise.routing.find import Question
 
 Array = NDArray[np.float64]
 
 PAIR_S: Final = 3 * 3600.0
 """A pair of boards usually takes this long [s]: the crew goes about every hour and a half."""
 
-SHORTEST_PAIR_S: Final = 600.0
+SHORTEST_PAIR_S: Final = 360.0
 """In narrow water boards get shorter, but a pair never takes less than this [s]."""
+
+SAME_COURSE_DEG: Final = 0.05
 
 GAIN: Final = 1.002
 """A leg is tacked where that is at least 0.2 % faster than sailing it straight."""
@@ -49,109 +55,116 @@ class Course:
     short_tacked: NDArray[np.bool_]
 
 
-def sail_boards(x: Array, y: Array, times: Array, sea: Sea, wind: Wind, polar: Polar) -> Course:
-    """Replace each leg that is sailed on the hull by boards on the two headings of the hull.
+def straight_legs(line: Line) -> Course:
+    """Every leg of a line sailed straight."""
+    return Course(line.x, line.y, np.zeros(line.x.size - 1, dtype=bool))
 
-    Parameters
-    ----------
-    x, y, times
-        ``(n,)`` waypoints of the Mercator plane [m] and arrival there [s since 1970].
-    """
-    out: list[tuple[float, float]] = [(float(x[0]), float(y[0]))]
-    short: list[bool] = []
-    other_first = False
-    for k in range(x.size - 1):
-        a, b = np.array([x[k], y[k]]), np.array([x[k + 1], y[k + 1]])
-        pieces = max(1, round((times[k + 1] - times[k]) / PAIR_S))
-        straight = a
+
+def sail_boards(asked: Question, line: Line) -> Course:
+    """Replace each leg that is sailed on the hull by boards on the two headings of the hull."""
+    builder = _Boards(asked, line)
+    for k in range(line.x.size - 1):
+        pieces = max(1, round(float(line.times[k + 1] - line.times[k]) / PAIR_S))
         for p in range(pieces):
-            c = a + (b - a) * (p + 1) / pieces
-            t = times[k] + (times[k + 1] - times[k]) * (p + 0.5) / pieces
-            boards, other_first = _boards(
-                straight, c, float(t), (times[k + 1] - times[k]) / pieces, sea, wind, polar, other_first
-            )
-            if boards is None:
-                tight = _hull_gain((straight + c) / 2, c - straight, float(t), wind, polar)[0] >= GAIN
-                if tight or p == pieces - 1 or (short and short[-1]):
-                    out.append((float(c[0]), float(c[1])))
-                    short.append(tight)
-                else:
-                    continue
-            else:
-                if out[-1] != (float(straight[0]), float(straight[1])):
-                    out.append((float(straight[0]), float(straight[1])))
-                    short.append(False)
-                out.extend(boards)
-                short.extend([False] * len(boards))
-            straight = c
-    points = np.array(out)
-    return merge_straight(Course(points[:, 0], points[:, 1], np.array(short, dtype=bool)))
+            builder.add(k, p / pieces, (p + 1) / pieces)
+    return merge_straight(builder.course(), asked.sea)
 
 
-def _hull_gain(
-    middle: Array, vector: Array, t: float, wind: Wind, polar: Polar
-) -> tuple[float, tuple[float, float, float, float], float, float]:
-    """How much faster than straight the hull is, its headings and shares, TWS [m/s] and TWD [degrees]."""
-    lat, lon = from_mercator(*middle)
-    u, v = wind.at(t, lat, lon)
-    tws, twd = (float(c) for c in to_direction(u, v))
-    course = float(np.degrees(np.arctan2(vector[0], vector[1])))
-    twa = (twd - course + 180.0) % 360.0 - 180.0
-    first, share1, second, share2 = (float(c) for c in hull_headings(polar, tws, twa))
-    direct = float(polar.speed(tws, twa))
-    made = share1 * float(polar.speed(tws, first)) * np.cos(np.radians(first - twa)) + share2 * float(
-        polar.speed(tws, second)
-    ) * np.cos(np.radians(second - twa))
-    gain = made / direct if direct > 1e-9 else (np.inf if made > 1e-9 else 1.0)
-    return float(gain), (first, share1, second, share2), tws, twd
+class _Boards:
+    """Collects the corners of a course; `sail_boards` is its only user."""
 
+    def __init__(self, asked: Question, line: Line) -> None:
+        self.asked, self.line = asked, line
+        self.corners: list[tuple[float, float]] = [(float(line.x[0]), float(line.y[0]))]
+        self.short: list[bool] = []
+        self.other_first = False
 
-def _boards(
-    a: Array, b: Array, t: float, seconds: float, sea: Sea, wind: Wind, polar: Polar, other_first: bool
-) -> tuple[list[tuple[float, float]] | None, bool]:
-    """Corners of the boards from a to b (ends with b), or ``None`` where she sails straight.
+    def course(self) -> Course:
+        points = np.array(self.corners)
+        return Course(points[:, 0], points[:, 1], np.array(self.short, dtype=bool))
 
-    Every second pair begins with the heading on which the last one ended, which halves the tacks.
-    """
-    gain, (first, share1, second, share2), _, twd = _hull_gain((a + b) / 2, b - a, t, wind, polar)
-    if gain < GAIN or min(share1, share2) <= 0.0:
-        return None, other_first
-    headings = np.radians([twd - first, twd - second])
-    unit = np.array([np.sin(headings), np.cos(headings)])
-    legs = np.linalg.solve(unit, b - a)
-    if min(legs) <= 0.0:
-        return None, other_first
-    pairs = 1
-    while seconds / pairs >= SHORTEST_PAIR_S or pairs == 1:
-        for swap in (other_first, not other_first):
-            corners, last = _zigzag(a, unit * legs / pairs, pairs, swap)
-            points = np.vstack([a, corners])
-            if bool(sea.clear(np.hstack([points[:-1], points[1:]])).all()):
-                return [(float(px), float(py)) for px, py in corners], last
-        pairs *= 2
-    return None, other_first
+    def add(self, leg: int, begin: float, end: float) -> None:
+        """Sail from one share of a leg to another."""
+        line = self.line
+        a, b = (np.array([line.x[k], line.y[k]]) for k in (leg, leg + 1))
+        a, b = a + (b - a) * begin, a + (b - a) * end
+        span = float(line.times[leg + 1] - line.times[leg])
+        gain, headings, legs = self._mix(a, b, float(line.times[leg]) + span * (begin + end) / 2)
+        if gain < GAIN or legs.min() <= 0.0:
+            self._append(b[None, :], short=False)
+            return
+        seconds = span * (end - begin)
+        boards = self._boards(a, headings * legs, seconds)
+        if boards is not None:
+            self._append(boards, short=False)
+        elif seconds > 2 * SHORTEST_PAIR_S:
+            # Only a part of it may be narrow: plan the halves on their own.
+            middle = (begin + end) / 2
+            self.add(leg, begin, middle)
+            self.add(leg, middle, end)
+        else:
+            self._append(b[None, :], short=True)
+
+    def _append(self, points: Array, *, short: bool) -> None:
+        self.corners.extend((float(x), float(y)) for x, y in points)
+        self.short.extend([short] * len(points))
+
+    def _mix(self, a: Array, b: Array, t: float) -> tuple[float, Array, Array]:
+        """How much faster than straight the hull is; its two headings ``(2, 2)`` and the way on each [m]."""
+        polar, vector = self.asked.polar, b - a
+        lat, lon = from_mercator(*((a + b) / 2))
+        tws, twd = (float(c) for c in to_direction(*self.asked.wind.at(t, lat, lon)))
+        twa = (twd - math.degrees(math.atan2(vector[0], vector[1])) + 180.0) % 360.0 - 180.0
+        first, share, second, other = (float(c) for c in hull_headings(polar, tws, twa))
+        if other <= 0.0:
+            return 1.0, np.eye(2), np.zeros(2)
+        direct, *speeds = (float(polar.speed(tws, angle)) for angle in (twa, first, second))
+        made = sum(
+            part * speed * math.cos(math.radians(angle - twa))
+            for part, speed, angle in zip((share, other), speeds, (first, second), strict=True)
+        )
+        course = np.radians([twd - first, twd - second])
+        headings = np.array([np.sin(course), np.cos(course)])
+        return made / direct if direct > 0.0 else math.inf, headings, np.linalg.solve(headings, vector)
+
+    def _boards(self, a: Array, steps: Array, seconds: float) -> Array | None:
+        """Corners of the boards, as few as the water allows; ``None`` where it is too narrow.
+
+        Every second pair begins with the heading on which the last one ended, which halves the tacks.
+        """
+        pairs = 1
+        while pairs == 1 or seconds / pairs >= SHORTEST_PAIR_S:
+            for swap in (self.other_first, not self.other_first):
+                corners, last = _zigzag(a, steps / pairs, pairs, swap)
+                points = np.vstack([a, corners])
+                if bool(self.asked.sea.clear(np.hstack([points[:-1], points[1:]])).all()):
+                    self.other_first = last
+                    return corners
+            pairs *= 2
+        return None
 
 
 def _zigzag(a: Array, steps: Array, pairs: int, swap: bool) -> tuple[Array, bool]:
+    """Corners after each board, and whether the next pair begins with the second heading."""
     corners = []
     here = a
     for _ in range(pairs):
-        order = (1, 0) if swap else (0, 1)
-        for k in order:
+        for k in (1, 0) if swap else (0, 1):
             here = here + steps[:, k]
             corners.append(here)
         swap = not swap
     return np.array(corners), swap
 
 
-def merge_straight(course: Course, *, degrees: float = 0.05) -> Course:
-    """Join legs between which the course does not change."""
+def merge_straight(course: Course, sea: Sea) -> Course:
+    """Join legs between which the course does not change, where the joined leg is as free of land."""
     keep = [0]
     for k in range(1, course.x.size - 1):
-        before = np.arctan2(course.x[k] - course.x[keep[-1]], course.y[k] - course.y[keep[-1]])
-        after = np.arctan2(course.x[k + 1] - course.x[k], course.y[k + 1] - course.y[k])
-        turn = abs((np.degrees(after - before) + 180.0) % 360.0 - 180.0)
-        if turn > degrees or course.short_tacked[k] != course.short_tacked[k - 1]:
+        x, y = course.x[[keep[-1], k, k + 1]], course.y[[keep[-1], k, k + 1]]
+        before, after = np.degrees(np.arctan2(np.diff(x), np.diff(y)))
+        turn = abs((after - before + 180.0) % 360.0 - 180.0)
+        alike = course.short_tacked[k] == course.short_tacked[k - 1]
+        if turn > SAME_COURSE_DEG or not alike or not sea.clear(np.array([[x[0], y[0], x[2], y[2]]]))[0]:
             keep.append(k)
     keep.append(course.x.size - 1)
     return Course(course.x[keep], course.y[keep], course.short_tacked[keep[:-1]])

@@ -13,7 +13,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from seacruise.geodesy import from_mercator, great_circle_m, scale, to_mercator
+from seacruise.geodesy import from_mercator, great_circle_m, scale
 from seacruise.progress import Job
 from seacruise.routing import lattice as lattices
 from seacruise.routing import stencil
@@ -127,7 +127,8 @@ def in_corridor(
     """
     lat, lon = from_mercator(line.x, line.y)
     per_nm = METRES_PER_NM / float(scale(lat.mean()))
-    area = Area("corridor", np.stack([line.x, line.y], axis=1), width_nm * per_nm)
+    along = np.stack([line.x[:-1], line.y[:-1], line.x[1:], line.y[1:]], axis=1)
+    area = Area("corridor", along, width_nm * per_nm)
     start, end = ((float(lat[k]), float(lon[k])) for k in (0, -1))
     lattice = lattices.build(
         waters.sea,
@@ -154,7 +155,7 @@ def refine(waters: Waters, first: Line, job: Job) -> tuple[Line, int]:
     spacing = min(2.0, max(0.25, distance_nm / 60))
     for spacing_nm, width_nm, courses in ((spacing, 6 * spacing, 72),):
         job.check()
-        levels = Levels(everywhere=2, at_ports=0)
+        levels = Levels(everywhere=4)
         line, _, count = in_corridor(
             waters, best, spacing_nm=spacing_nm, courses=courses, width_nm=width_nm, levels=levels
         )
@@ -165,8 +166,3 @@ def refine(waters: Waters, first: Line, job: Job) -> tuple[Line, int]:
         if better.seconds < best.seconds:
             best = better
     return simplified(waters, best), settled
-
-
-def line_through(waters: Waters, lat: Array, lon: Array, departure: float) -> Line:
-    """`timed` for positions in degrees."""
-    return timed(waters, *to_mercator(lat, lon), departure)

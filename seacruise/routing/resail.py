@@ -8,12 +8,12 @@ the yacht is moved along her legs step by step: the `Wind` itself, the `Polar` i
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 from numpy.typing import NDArray
 
-from seacruise.geodesy import from_mercator, rhumb_course_deg, rhumb_distance_m, to_mercator
+from seacruise.geodesy import from_mercator, rhumb_course_deg, rhumb_distance_m
 from seacruise.routing.field import Handling
 from seacruise.routing.manoeuvres import Course
 from seacruise.sea import Sea
@@ -21,6 +21,9 @@ from seacruise.units import METRES_PER_NM
 from seacruise.weather.wind import Wind, to_direction
 from seacruise.yacht.hull import hull_speed
 from seacruise.yacht.polar import Polar
+
+if TYPE_CHECKING:
+    from seacruise.routing.find import Question
 
 Array = NDArray[np.float64]
 
@@ -85,22 +88,14 @@ class _Boat:
         return sail, False
 
 
-def resail(
-    course: Course,
-    departure: float,
-    sea: Sea,
-    wind: Wind,
-    polar: Polar,
-    handling: Handling,
-    *,
-    fuel_rate_l_h: float,
-) -> Resailed:
-    """Sail the legs of a course from a departure [s since 1970] and check every metre of it."""
-    boat = _Boat(wind, polar, handling)
+def resail(asked: Question, course: Course, *, fuel_rate_l_h: float) -> Resailed:
+    """Sail the legs of a course and check every metre of it."""
+    handling = asked.how.handling
+    boat = _Boat(asked.wind, asked.polar, handling)
     lat, lon = from_mercator(course.x, course.y)
     rows: list[tuple[float, ...]] = []
     at = []
-    t = departure
+    t = asked.departure
     motor_s = 0.0
     arrived = True
     hull = course.short_tacked if handling.tacking else np.zeros_like(course.short_tacked)
@@ -128,7 +123,7 @@ def resail(
         leg=table[:, 8].astype(np.int64),
         at=np.array(at),
         arrived=arrived,
-        land_free=is_land_free(course, sea),
+        land_free=is_land_free(course, asked.sea),
         # A grid's peak between two six-minute looks may exceed what the search saw by rounding only.
         within_limits=limit is None or bool(table[:, 5].max() <= limit * 1.005),
         fuel_l=motor_s / 3600.0 * fuel_rate_l_h,
@@ -166,7 +161,7 @@ def _sail_leg(
 
 
 def is_land_free(course: Course, sea: Sea) -> bool:
-    """Sample the course every 0.05 nm and hold each step against the fine coast, and the global mask."""
+    """Sample the course every 0.05 nm and hold each step against the fine coast, or the global mask."""
     x, y = [course.x[:1]], [course.y[:1]]
     for k in range(course.x.size - 1):
         dx, dy = course.x[k + 1] - course.x[k], course.y[k + 1] - course.y[k]
@@ -175,12 +170,4 @@ def is_land_free(course: Course, sea: Sea) -> bool:
         x.append(course.x[k] + dx * share)
         y.append(course.y[k] + dy * share)
     px, py = np.concatenate(x), np.concatenate(y)
-    lat, lon = from_mercator(px, py)
-    steps = np.stack([px[:-1], py[:-1], px[1:], py[1:]], axis=1)
-    return not bool(sea.crosses_fine_coast(lat, lon).any()) and bool(sea.clear(steps).all())
-
-
-def straight_course(lat: Array, lon: Array) -> Course:
-    """Course through positions [degrees], every leg sailed straight."""
-    x, y = to_mercator(lat, lon)
-    return Course(x, y, np.zeros(x.size - 1, dtype=bool))
+    return not bool(sea.touches_land(*from_mercator(px, py)).any())

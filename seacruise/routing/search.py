@@ -12,7 +12,7 @@ from seacruise.routing.field import SpeedTable, WindField
 from seacruise.routing.lattice import Lattice, chord_m
 from seacruise.units import METRES_PER_NM
 
-PIECE_M: Final = 4 * METRES_PER_NM
+PIECE_M: Final = 8 * METRES_PER_NM
 """Longest part of an edge that is sailed in the wind of its middle [m]."""
 
 

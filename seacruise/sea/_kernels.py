@@ -10,6 +10,10 @@ LAND, SHORE, SHORE_WATER, WATER = 0, 1, 2, 3
 """Classes of a cell: land or lake; crossed by a shoreline, its centre on land; the same with its centre
 on the open water; all water. Above ``WATER`` the value also counts the free cells around."""
 
+MARGIN = 0.1
+"""Lines keep about this far from corners of the shoreline [cells; some 15 m], so that what the sphere,
+the projection or single precision moves by a metre never turns a clear leg into one that touches."""
+
 BIN = 8
 """Side of the squares into which the edges of the shoreline are sorted, in cells."""
 
@@ -35,17 +39,18 @@ def draw_polygons(x, y, rings, cells, window):
             if y0 > y1:
                 x0, y0, x1, y1 = x1, y1, x0, y0
             slope = (x1 - x0) / (y1 - y0) if y1 > y0 else 0.0
-            for row in range(max(row0, int(np.floor(y0))), min(row1 - 1, int(np.floor(y1))) + 1):
+            low, high = int(np.floor(y0 - MARGIN)), int(np.floor(y1 + MARGIN))
+            for row in range(max(row0, low), min(row1 - 1, high) + 1):
                 if y0 <= row + 0.5 < y1:
                     column = max(column0, int(np.ceil(x0 + (row + 0.5 - y0) * slope - 0.5)))
                     if column < column1:
                         cells[row, column] ^= inside_bit
                 xa, xb = x0, x1
                 if y1 > y0:
-                    xa = x0 + (max(y0, float(row)) - y0) * slope
-                    xb = x0 + (min(y1, row + 1.0) - y0) * slope
-                left = max(column0, int(np.floor(min(xa, xb))))
-                right = min(column1 - 1, int(np.floor(max(xa, xb))))
+                    xa = x0 + (min(max(y0, row - MARGIN), y1) - y0) * slope
+                    xb = x0 + (max(min(y1, row + 1.0 + MARGIN), y0) - y0) * slope
+                left = max(column0, int(np.floor(min(xa, xb) - MARGIN)))
+                right = min(column1 - 1, int(np.floor(max(xa, xb) + MARGIN)))
                 for column in range(left, right + 1):
                     cells[row, column] |= shore_bit
     for row in range(row0, row1):
@@ -195,10 +200,10 @@ def bin_shores(x, y, rings, columns, rows):
             free = first[:-1].copy()
         for r in range(rings.size - 1):
             for k in range(rings[r], rings[r + 1] - 1):
-                left = max(0, int(np.floor(min(x[k], x[k + 1]) / BIN)))
-                right = min(columns - 1, int(np.floor(max(x[k], x[k + 1]) / BIN)))
-                low = max(0, int(np.floor(min(y[k], y[k + 1]) / BIN)))
-                high = min(rows - 1, int(np.floor(max(y[k], y[k + 1]) / BIN)))
+                left = max(0, int(np.floor((min(x[k], x[k + 1]) - MARGIN) / BIN)))
+                right = min(columns - 1, int(np.floor((max(x[k], x[k + 1]) + MARGIN) / BIN)))
+                low = max(0, int(np.floor((min(y[k], y[k + 1]) - MARGIN) / BIN)))
+                high = min(rows - 1, int(np.floor((max(y[k], y[k + 1]) + MARGIN) / BIN)))
                 for row in range(low, high + 1):
                     for column in range(left, right + 1):
                         b = row * columns + column
@@ -217,8 +222,11 @@ def bin_shores(x, y, rings, columns, rows):
 
 
 @inlined
-def _crossings(water, row, column, x0, y0, x1, y1, enough):
-    """Number of shoreline edges in the square around a cell that a line meets, up to ``enough``."""
+def _crossings(water, row, column, x0, y0, x1, y1, margin):
+    """Number of shoreline edges in the square around a cell that a line meets.
+
+    With a ``margin`` the edges are longer by that at both ends, and the first one met is enough.
+    """
     cells, first, edges = water
     b = (row // BIN) * ((cells.shape[1] + BIN - 1) // BIN) + column // BIN
     dx, dy = x1 - x0, y1 - y0
@@ -226,6 +234,11 @@ def _crossings(water, row, column, x0, y0, x1, y1, enough):
     for e in range(first[b], first[b + 1]):
         ax, ay = edges[e, 0] - x0, edges[e, 1] - y0
         bx, by = edges[e, 2] - x0, edges[e, 3] - y0
+        if margin > 0.0:
+            span = np.sqrt((bx - ax) * (bx - ax) + (by - ay) * (by - ay))
+            if span > 0.0:
+                ex, ey = (bx - ax) * margin / span, (by - ay) * margin / span
+                ax, ay, bx, by = ax - ex, ay - ey, bx + ex, by + ey
         side_a, side_b = dx * ay - dy * ax, dx * by - dy * bx
         # Half-open on one side: a line through a corner where two edges meet counts once.
         if (side_a > 0.0) == (side_b > 0.0):
@@ -233,7 +246,7 @@ def _crossings(water, row, column, x0, y0, x1, y1, enough):
         t = (ax * (by - ay) - ay * (bx - ax)) / (dx * (by - ay) - dy * (bx - ax))
         if 0.0 <= t <= 1.0:
             count += 1
-            if count >= enough:
+            if margin > 0.0:
                 break
     return count
 
@@ -248,7 +261,7 @@ def wet(water, x, y):
     value = cells[row, column]
     if value >= WATER or value == LAND:
         return value >= WATER
-    crossed = _crossings(water, row, column, x, y, column + 0.5, row + 0.5, 1 << 30)
+    crossed = _crossings(water, row, column, x, y, column + 0.5, row + 0.5, 0.0)
     return (value == SHORE_WATER) == (crossed % 2 == 0)
 
 
@@ -279,7 +292,7 @@ def free_line(water, x0, y0, x1, y1):
             rings = value - WATER
         elif tested != (row // BIN) * columns + column // BIN:
             tested = (row // BIN) * columns + column // BIN
-            if _crossings(water, row, column, x0, y0, x1, y1, 1) > 0:
+            if _crossings(water, row, column, x0, y0, x1, y1, MARGIN) > 0:
                 return False
         ahead = 2.0
         if dx > 0.0:
@@ -307,3 +320,70 @@ def free_lines(water, x0, y0, x1, y1, out):
     """`free_line` for ``(n,)`` lines in cells."""
     for k in range(x0.size):
         out[k] = free_line(water, x0[k], y0[k], x1[k], y1[k])
+
+
+@kernel
+def ways_out(cells, row, column, rings, most, sectors):
+    """Find ways by water from a cell to open water, at most one for each sector of the compass.
+
+    Breadth-first over sides and corners of cells; a way ends at the first cell with ``rings`` free rings
+    around it, and does not go on through open water.
+
+    Returns
+    -------
+    rows, columns, lengths
+        Cells of the ways, one after the other from their outer end, and the number of cells of each.
+    """
+    rows, columns = cells.shape
+    side = 2 * most + 1
+    before = np.full((side, side), -1, dtype=np.int32)
+    queue = np.empty(side * side, dtype=np.int32)
+    middle = most * side + most
+    before[most, most] = middle
+    queue[0] = middle
+    head, tail = 0, 1
+    exits = np.full(sectors, -1, dtype=np.int32)
+    while head < tail:
+        here = queue[head]
+        head += 1
+        sr, sc = here // side, here % side
+        r, c = row + sr - most, column + sc - most
+        if cells[r, c] >= WATER + rings:
+            sector = int((np.arctan2(sc - most, sr - most) / (2.0 * np.pi) + 0.5) * sectors) % sectors
+            if exits[sector] < 0:
+                exits[sector] = here
+            continue
+        for dr, dc in ((1, 0), (-1, 0), (0, 1), (0, -1), (1, 1), (1, -1), (-1, 1), (-1, -1)):
+            nr, nc = sr + dr, sc + dc
+            rr, cc = row + nr - most, column + nc - most
+            if (
+                rr < 0
+                or cc < 0
+                or rr >= rows
+                or cc >= columns
+                or nr < 0
+                or nc < 0
+                or nr >= side
+                or nc >= side
+            ):
+                continue
+            if cells[rr, cc] >= SHORE_WATER and before[nr, nc] < 0:
+                before[nr, nc] = here
+                queue[tail] = nr * side + nc
+                tail += 1
+    out_rows = np.empty(sectors * tail + 1, dtype=np.int32)
+    out_columns = np.empty(sectors * tail + 1, dtype=np.int32)
+    lengths = np.zeros(sectors, dtype=np.int64)
+    n = 0
+    for s in range(sectors):
+        here = exits[s]
+        if here < 0:
+            continue
+        while True:
+            out_rows[n], out_columns[n] = row + here // side - most, column + here % side - most
+            n += 1
+            lengths[s] += 1
+            if here == middle:
+                break
+            here = before[here // side, here % side]
+    return out_rows[:n].copy(), out_columns[:n].copy(), lengths

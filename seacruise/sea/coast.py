@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import lru_cache
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -60,6 +61,11 @@ def fine_tree() -> shapely.STRtree:
     return shapely.STRtree(fine_land())
 
 
+def covers(lat: NDArray[np.float64], lon: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """Tell which positions [degrees] lie in the rectangle of the fine coast."""
+    return (lat >= FINE_SOUTH) & (lat <= FINE_NORTH) & (lon >= FINE_WEST) & (lon <= FINE_EAST)
+
+
 def land_on_lines(coords: NDArray[np.float64]) -> NDArray[np.bool_]:
     """Tell which lines touch land of the fine coast.
 
@@ -94,5 +100,5 @@ def chart_land(level: int) -> list[list[Ring]]:
     with np.load(resource_path("assets/coast/chart.npz")) as data:
         coords = _ragged(data[f"deltas{level}"])
         rings, polygons = data[f"rings{level}"], data[f"polygons{level}"]
-    shores = [coords[a:b] for a, b in zip(rings[:-1], rings[1:], strict=True)]
-    return [shores[a:b] for a, b in zip(polygons[:-1], polygons[1:], strict=True)]
+    shores = [coords[a:b] for a, b in pairwise(rings)]
+    return [shores[a:b] for a, b in pairwise(polygons)]

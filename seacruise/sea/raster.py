@@ -27,7 +27,7 @@ FINE_CELL_M: Final = 300.0
 COARSE_CELL_M: Final = EARTH_RADIUS * math.radians(1 / globe.CELLS_PER_DEGREE)
 """Cell where only the global mask is known [m of the Mercator plane]."""
 
-RASTER_VERSION: Final = 1
+RASTER_VERSION: Final = 2
 _SAMPLES: Final = 97
 _PARTS: Final = ("cells", "first", "shores")
 

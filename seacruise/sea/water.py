@@ -12,12 +12,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from seacruise.errors import NoPassageError
-from seacruise.geodesy import EARTH_RADIUS, format_position, from_mercator, great_circle_m, scale, to_mercator
+from seacruise.geodesy import format_position, from_mercator, great_circle_m, scale, to_mercator
 from seacruise.sea import coast, raster
 from seacruise.units import METRES_PER_NM
 
 FARTHEST_SNAP_NM: Final = 40.0
 """A port farther than this from open water is refused [nm]; Szczecin, up the Odra, is the farthest."""
+
+FARTHEST_WAY_NM: Final = 45.0
+"""Ways out of an archipelago are followed this far from the port [nm]."""
+
+SECTORS: Final = 8
 
 Array = NDArray[np.float64]
 
@@ -42,7 +47,7 @@ class Sea:
 
     @classmethod
     def around(cls, lats: Any, lons: Any, *, margin_deg: float, cache_dir: Path) -> Sea:
-        """The sea around positions [degrees], with a margin on each side.
+        """Read the sea around positions [degrees], with a margin on each side.
 
         All of the Baltic is one raster, made once and shared by all its passages; elsewhere the raster
         is as large as the passage needs.
@@ -97,17 +102,18 @@ class Sea:
         k.free_lines(self.water.arrays, x0, y0, x1, y1, free)
         return free
 
-    @staticmethod
-    def crosses_fine_coast(lat: Array, lon: Array) -> NDArray[np.bool_]:
-        """Tell which steps of a finely sampled track [degrees] touch land of the fine coast.
+    def touches_land(self, lat: Array, lon: Array) -> NDArray[np.bool_]:
+        """Tell which steps of a finely sampled track ``(n,)`` [degrees] touch land: ``(n - 1,)``.
 
-        Shares nothing with `clear`: polygons and a search tree instead of a raster. It is the last check
-        of a passage, and says nothing outside the rectangle that the fine coast covers.
+        The last check of a passage. It shares nothing with `clear`: where there is a fine coast its
+        polygons and a search tree are asked, elsewhere the cells of the global mask under each sample.
         """
         steps = np.stack(
             [np.stack([lon[:-1], lat[:-1]], axis=1), np.stack([lon[1:], lat[1:]], axis=1)], axis=1
         )
-        return coast.land_on_lines(steps)
+        fine = coast.covers(lat, lon)
+        dry = ~fine & (self.water.at(*to_mercator(lat, lon)) == 0)
+        return coast.land_on_lines(steps) | dry[:-1] | dry[1:]
 
     def snap(self, lat: float, lon: float, *, name: str = "") -> Snap:
         """Water nearest to a port: connected with the open sea, and not itself in a cell with a shore.
@@ -143,10 +149,36 @@ class Sea:
             found_lat, found_lon, float(great_circle_m(lat, lon, found_lat, found_lon)) / METRES_PER_NM
         )
 
+    def ways_out(self, lat: float, lon: float, *, room_m: float) -> Array:
+        """Ways by water from a position to open water, one for each sector of the compass that has one.
 
-def degrees_of(metres: float) -> float:
-    """Degrees of latitude that a distance [m] spans."""
-    return math.degrees(metres / EARTH_RADIUS)
+        Parameters
+        ----------
+        room_m
+            Free water wanted on all sides for it to be open [m of the plane].
+
+        Returns
+        -------
+        numpy.ndarray
+            ``(n, 4)`` short lines x0, y0, x1, y1 of the Mercator plane [m]. They follow cells of the
+            raster, not courses: they tell where a lattice must be fine.
+        """
+        from seacruise.sea import _kernels as k
+
+        x, y = to_mercator(lat, lon)
+        column, row = (math.floor(float(c)) for c in self.water.lines(x, y))
+        most = math.ceil(FARTHEST_WAY_NM * METRES_PER_NM / float(scale(lat)) / self.water.cell)
+        rings = math.ceil(room_m / self.water.cell)
+        rows, columns, lengths = k.ways_out(self.water.cells, row, column, rings, most, SECTORS)
+        lines = []
+        for way in np.split(np.arange(rows.size), np.cumsum(lengths))[:-1]:
+            if way.size:
+                corners = way[np.unique(np.append(np.arange(0, way.size, 4), way.size - 1))]
+                px = self.water.x0 + (columns[corners] + 0.5) * self.water.cell
+                py = self.water.y0 + (rows[corners] + 0.5) * self.water.cell
+                lines.append(np.stack([px[:-1], py[:-1], px[1:], py[1:]], axis=1))
+        found = np.concatenate(lines) if lines else np.empty((0, 4))
+        return np.unique(found, axis=0)
 
 
 @lru_cache(maxsize=4)

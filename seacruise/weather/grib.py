@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+import atexit
+import os
+import sys
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime
-from typing import Any, Final, Literal
+from functools import cache
+from pathlib import Path
+from typing import IO, Any, Final, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -91,9 +96,28 @@ def _split(data: bytes) -> Iterator[tuple[bytes, bool]]:
         position = data.find(b"GRIB", end if whole else position + 4)
 
 
+def _is_sound(block: bytes) -> bool:
+    """Tell whether the sections of a message fill it exactly: the library crashes on some that do not."""
+    if block[7] == 1:
+        # section 1 says which of the sections 2 and 3 are there; section 4 always is
+        flags, position, count = block[15], 8, 2 + bool(block[15] & 0x80) + bool(block[15] & 0x40)
+        for _ in range(count):
+            position += int.from_bytes(block[position : position + 3])
+        return flags & 0x3F == 0 and block[8:11] >= b"\x00\x00\x1c" and position == len(block) - 4
+    position = 16
+    while position < len(block) - 4:
+        size = int.from_bytes(block[position : position + 4])
+        if size < 5 or not 1 <= block[position + 4] <= 7:
+            return False
+        position += size
+    return position == len(block) - 4
+
+
 def _decode(block: bytes) -> tuple[_Message | None, bool]:
     """Decode a message when it is wind at 10 m; the flag tells whether it is a sea current."""
     eccodes = _eccodes()
+    if not _is_sound(block):
+        raise WeatherError("one of its messages is damaged")
     try:
         handle = eccodes.codes_new_from_message(block)
     except eccodes.CodesInternalError:
@@ -103,7 +127,8 @@ def _decode(block: bytes) -> tuple[_Message | None, bool]:
         if component == "current":
             return None, True
         return (None if component is None else _message(eccodes, handle, component)), False
-    except eccodes.CodesInternalError as error:
+    except (eccodes.CodesInternalError, ValueError, OverflowError, TypeError) as error:
+        # dates and sizes that are none, besides the library's own complaints
         raise WeatherError(f"one of its messages cannot be decoded ({error})") from None
     finally:
         eccodes.codes_release(handle)
@@ -117,7 +142,25 @@ def _eccodes() -> Any:
             "GRIB files need the package eccodes, which is not installed or cannot find its library: "
             f"install it with 'pip install eccodes', or use a NetCDF file ({type(error).__name__})."
         ) from None
+    _silence()
     return eccodes
+
+
+@cache
+def _silence() -> IO[bytes] | None:
+    """Keep the library from writing to standard error; what it says there comes as an exception, too.
+
+    Returns the file it writes to instead, which must stay open as long as the library is in use.
+    """
+    import eccodes
+
+    if sys.platform == "win32":
+        # a FILE of one C runtime is poison to another
+        return None
+    nowhere = Path(os.devnull).open("wb")  # noqa: SIM115 (stays open)
+    atexit.register(nowhere.close)
+    eccodes.codes_context_set_logging(nowhere)
+    return nowhere
 
 
 def _component(eccodes: Any, handle: Any) -> Component | Literal["current"] | None:
@@ -194,12 +237,16 @@ def _moment(date: int, clock: int) -> float:
 
 def _unscan(eccodes: Any, handle: Any, values: NDArray[Any]) -> NDArray[Any]:
     """Lay values out as ``(row, column)`` in the order of the axes."""
+    kind = str(eccodes.codes_get(handle, "gridType"))
     rows, columns = int(eccodes.codes_get(handle, "Nj")), int(eccodes.codes_get(handle, "Ni"))
     if int(eccodes.codes_get(handle, "jPointsAreConsecutive")):
         return values.reshape(columns, rows).T
     grid = values.reshape(rows, columns).copy()
     if int(eccodes.codes_get(handle, "alternativeRowScanning")):
         grid[1::2] = grid[1::2, ::-1]
+    if kind != "regular_ll" and int(eccodes.codes_get(handle, "iScansNegatively")):
+        # the direction of the columns is what u is measured along
+        grid = grid[:, ::-1]
     return grid
 
 

@@ -74,7 +74,7 @@ def make_barb(fives: int, side: int = 1) -> Barb:
 
 
 def direction_class(direction_from_deg: float) -> int:
-    """Number of the sprite for a direction [degrees true]; every five degrees there is one."""
+    """Give the number of the sprite for a direction [degrees true]; every five degrees there is one."""
     return round(direction_from_deg / 360.0 * _DIRECTIONS) % _DIRECTIONS
 
 

@@ -9,13 +9,13 @@ from __future__ import annotations
 import math
 import threading
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Any, Final, cast
 
 import numpy as np
 import shiboken6
 from numpy.typing import NDArray
 from PySide6.QtCore import QLineF, QRect, QRectF, Qt
-from PySide6.QtGui import QBrush, QImage, QPainter, QPainterPath, QPen, QPolygonF, QTransform
+from PySide6.QtGui import QBrush, QColor, QImage, QPainter, QPainterPath, QPen, QPolygonF, QTransform
 
 from seacruise.desktop.chart import palette
 from seacruise.desktop.chart.land import LandCells, Points, cell_box
@@ -32,6 +32,7 @@ _LEVEL_BELOW_M_PX: Final = (3600.0, 420.0)
 """Metres of the Mercator plane a pixel [m] above which level 0, and above which level 1 is fine enough."""
 
 _LINES_A_STEP: Final = 500
+_INK_PER_PX: Final = 2.2
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,11 +73,12 @@ class Picture:
 
 
 def polygon_of(ring: Points) -> QPolygonF:
-    """Qt polygon of ``(n, 2)`` points, written in one piece: a list of `QPointF` takes fifty times as long."""
+    """Qt polygon of ``(n, 2)`` points, written in one piece: a list of `QPointF` takes fifty times that."""
     polygon = QPolygonF()
     polygon.resize(len(ring))
     if len(ring):
-        memory = shiboken6.VoidPtr(polygon.data(), ring.size * 8, True)
+        # The stub knows one argument only; the second and third are the size and "writable".
+        memory: Any = shiboken6.VoidPtr(cast("Any", polygon.data()), ring.size * 8, True)  # type: ignore[call-arg]
         np.frombuffer(memory, np.float64).reshape(-1, 2)[:] = ring
     return polygon
 
@@ -174,7 +176,9 @@ class Painter:
 
 
 def _span(low: float, high: float, origin: float, size: float, count: int) -> range:
-    return range(max(0, math.floor((low - origin) / size)), min(count, math.floor((high - origin) / size) + 1))
+    return range(
+        max(0, math.floor((low - origin) / size)), min(count, math.floor((high - origin) / size) + 1)
+    )
 
 
 def _paint_uncharted(painter: QPainter, extent: Extent) -> None:
@@ -209,7 +213,15 @@ def _paint_lattice(painter: QPainter, extent: Extent, lattice: NDArray[np.float3
     )
     lines = lines[seen]
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-    painter.setPen(QPen(palette.LATTICE, 1.0))
+    ink = QColor(palette.LATTICE)
+    # Where edges are hardly longer than they are apart from the next, full ink would be a blue wall.
+    length = (
+        float(np.median(np.hypot(lines[:, 2] - lines[:, 0], lines[:, 3] - lines[:, 1])))
+        if len(lines)
+        else 0.0
+    )
+    ink.setAlpha(round(min(max(_INK_PER_PX * length, 9.0), float(ink.alpha()))))
+    painter.setPen(QPen(ink, 1.0))
     for begin in range(0, len(lines), _LINES_A_STEP):
         job.check()
         painter.drawLines([QLineF(*line) for line in lines[begin : begin + _LINES_A_STEP].tolist()])

@@ -56,7 +56,8 @@ class CoastLayer(Layer):
 
     def demand(self, view: QRectF, scale: float, size: tuple[int, int], density: float) -> None:
         """Ask for a picture of a view of the plane, unless there is one or it is being painted."""
-        current = self._wanted if self._runner.is_running else self._picture and self._picture.extent
+        painted = self._picture.extent if self._picture else None
+        current = self._wanted if self._runner.is_running else painted
         fits = (
             current is not None
             and abs(current.scale / scale - 1.0) < 1e-9

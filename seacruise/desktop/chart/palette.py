@@ -33,7 +33,7 @@ their lightness alone (Nuñez et al. 2018, doi:10.1371/journal.pone.0199239)."""
 
 
 def wind_class(tws_kn: float) -> int:
-    """Number of the colour for a true wind speed [kn]."""
+    """Give the number of the colour for a true wind speed [kn]."""
     return bisect_right(WIND_LIMITS_KN, tws_kn)
 
 

@@ -22,7 +22,7 @@ def to_plane(lat: Array, lon: Array) -> tuple[Array, Array]:
 
 def point(lat: float, lon: float) -> QPointF:
     """Point of the chart's plane for a position [degrees]."""
-    x, y = to_plane(np.float64(lat), np.float64(lon))
+    x, y = to_plane(np.asarray(lat), np.asarray(lon))
     return QPointF(float(x), float(y))
 
 

@@ -20,9 +20,13 @@ _LEVELS: Final = 16
 _ROOM_PX: Final = 85.0
 
 _WELL_KNOWN: Final = frozenset(
-    "København,Stockholm,Helsinki,Tallinn,Rīga,Gdynia,Gdańsk,Klaipėda,Kiel,Rostock,Göteborg,Visby,Turku,"
-    "Mariehamn,Kalmar,Karlskrona,Rønne,Sassnitz,Świnoujście,Hel,Ventspils,Liepāja,Pärnu,Kuressaare,Hanko,"
-    "Sandhamn,Nynäshamn,Aarhus,Skagen,Oulu,Vaasa,Luleå,Sundsvall,Umeå,Gävle,Sankt-Peterburg".split(",")
+    (
+        *("København", "Stockholm", "Helsinki", "Tallinn", "Rīga", "Gdynia", "Gdańsk", "Klaipėda", "Kiel"),
+        *("Rostock", "Göteborg", "Visby", "Turku", "Mariehamn", "Kalmar", "Karlskrona", "Rønne", "Sassnitz"),
+        *("Świnoujście", "Hel", "Ventspils", "Liepāja", "Pärnu", "Kuressaare", "Hanko", "Sandhamn"),
+        *("Nynäshamn", "Aarhus", "Skagen", "Oulu", "Vaasa", "Luleå", "Sundsvall", "Umeå", "Gävle"),
+        "Sankt-Peterburg",
+    )
 )
 """Named first where there is not room for all."""
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
@@ -32,7 +33,6 @@ class RouteLayer(Layer):
         self._plane = np.empty((0, 2))
         self._leg: int | None = None
         self._boat: tuple[QPointF, float] | None = None
-        self._trouble: QPointF | None = None
         self.faded = False
 
     def show_passage(self, passage: Passage | None) -> None:
@@ -45,18 +45,18 @@ class RouteLayer(Layer):
             self._pieces = self._coloured_pieces(passage)
             corners = [point(w.lat, w.lon) for w in passage.waypoints]
             self._waypoints = corners
-            self._legs = [QPolygonF([a, b]) for a, b in zip(corners[:-1], corners[1:], strict=True)]
+            self._legs = [QPolygonF([a, b]) for a, b in pairwise(corners)]
             self._direct = QPolygonF([corners[0], corners[-1]])
         self.update()
 
     def _coloured_pieces(self, passage: Passage) -> list[tuple[int, bool, QPolygonF]]:
-        """Runs of the track that share a colour, and whether they are under engine."""
+        """Find the runs of the track that share a colour, and whether they are under engine."""
         classes = np.searchsorted(palette.WIND_LIMITS_KN, passage.track.tws_kn, side="right")
         motor = passage.track.motor.astype(np.int64)
         changes = np.flatnonzero((np.diff(classes) != 0) | (np.diff(motor) != 0)) + 1
         bounds = [0, *changes.tolist(), len(classes) - 1]
         pieces = []
-        for begin, end in zip(bounds[:-1], bounds[1:], strict=True):
+        for begin, end in pairwise(bounds):
             if end <= begin:
                 continue
             line = QPolygonF([QPointF(x, y) for x, y in self._plane[begin : end + 1].tolist()])
@@ -79,11 +79,6 @@ class RouteLayer(Layer):
         self._boat = (QPointF(x, y), float(track.course_deg[now]))
         self.update()
 
-    def mark_trouble(self, place: tuple[float, float] | None) -> None:
-        """Mark where a calculation found no way on [degrees], or nothing."""
-        self._trouble = None if place is None else point(*place)
-        self.update()
-
     def leg_at(self, at: QPointF, to_pixels: QTransform) -> int | None:
         """Leg of the track that passes closest to a point [pixels], when it is near enough to be meant."""
         if self._passage is None:
@@ -97,7 +92,7 @@ class RouteLayer(Layer):
         return int(self._passage.track.leg[nearest]) if gap[nearest] <= _PICK_PX else None
 
     def draw(self, painter: QPainter, to_pixels: QTransform, view: QRectF) -> None:
-        """Draw direct line, track, waypoints, boat and trouble, from below to above."""
+        """Draw direct line, track, waypoints and boat, from below to above."""
         del view
         if self._passage is not None:
             painter.setOpacity(0.45 if self.faded else 1.0)
@@ -107,8 +102,6 @@ class RouteLayer(Layer):
             if self._boat is not None:
                 self._draw_boat(painter, to_pixels.map(self._boat[0]), self._boat[1])
             painter.setOpacity(1.0)
-        if self._trouble is not None:
-            self._draw_trouble(painter, to_pixels.map(self._trouble))
 
     def _draw_direct(self, painter: QPainter, to_pixels: QTransform) -> None:
         pen = QPen(palette.MAGENTA, 1.3, Qt.PenStyle.CustomDashLine)
@@ -164,7 +157,25 @@ class RouteLayer(Layer):
         painter.drawLine(QPointF(0, -6), QPointF(0, 7))
         painter.restore()
 
-    def _draw_trouble(self, painter: QPainter, at: QPointF) -> None:
+
+class TroubleLayer(Layer):
+    """Where a calculation found no way on; above everything else."""
+
+    def __init__(self, bounds: QRectF) -> None:
+        super().__init__(bounds)
+        self._place: QPointF | None = None
+
+    def mark(self, place: tuple[float, float] | None) -> None:
+        """Mark a position [degrees], or nothing."""
+        self._place = None if place is None else point(*place)
+        self.update()
+
+    def draw(self, painter: QPainter, to_pixels: QTransform, view: QRectF) -> None:
+        """Draw a ring with a cross."""
+        del view
+        if self._place is None:
+            return
+        at = to_pixels.map(self._place)
         painter.setBrush(Qt.BrushStyle.NoBrush)
         for colour, width in ((palette.CASING, 6.0), (palette.TROUBLE, 2.6)):
             painter.setPen(QPen(colour, width))

@@ -25,7 +25,7 @@ from seacruise.desktop.chart.graticule import GraticuleLayer, ScaleLayer
 from seacruise.desktop.chart.legend import LegendLayer
 from seacruise.desktop.chart.plane import CHARTED, point, position, rectangle
 from seacruise.desktop.chart.ports_layer import PortsLayer
-from seacruise.desktop.chart.route_layer import RouteLayer
+from seacruise.desktop.chart.route_layer import RouteLayer, TroubleLayer
 from seacruise.desktop.chart.wind_layer import WindLayer
 from seacruise.desktop.jobs import JobRunner
 from seacruise.desktop.style import FOCUS
@@ -39,7 +39,12 @@ _STEP: Final = 1.25
 _NEAREST_PX_M: Final = 0.4
 _SETTLE_MS: Final = 60
 _CLICK_PX: Final = 4
-BALTIC: Final = rectangle(53.4, 9.2, 61.2, 30.5)
+_FIT_SIDES_PX: Final = 40
+_FIT_TOP_PX: Final = 58
+_FIT_BOTTOM_PX: Final = 104
+"""Room for ribbon and legend around what is fitted."""
+
+_LEAST_FITTED_M: Final = 40_000.0
 
 
 class ChartView(QGraphicsView):
@@ -70,13 +75,16 @@ class ChartView(QGraphicsView):
         self.viewport().setCursor(Qt.CursorShape.CrossCursor)
         self.setAccessibleName(self.tr("Chart"))
         self.setAccessibleDescription(
-            self.tr("Plus and minus zoom, the arrow keys move the chart; the legs table says the same in words.")
+            self.tr(
+                "Plus and minus zoom, the arrow keys move the chart; the legs table says the same in words."
+            )
         )
         self.painter_jobs = JobRunner("chart", self)
         self._make_layers()
         self._pressed: QPoint | None = None
         self._dragged = False
-        self._fitted: QRectF | None = BALTIC
+        self._fitted: QRectF | None = None
+        self._shows_all = True
         self._settle = QTimer(self)
         self._settle.setSingleShot(True)
         self._settle.setInterval(_SETTLE_MS)
@@ -88,10 +96,11 @@ class ChartView(QGraphicsView):
         self.wind = WindLayer(room)
         self.ports = PortsLayer(room)
         self.route = RouteLayer(room)
+        self.trouble = TroubleLayer(room)
         self.legend = LegendLayer(room)
         self.legend.setVisible(False)
         order = (self.coast, GraticuleLayer(room), self.wind, self.route, self.ports, ScaleLayer(room))
-        for height, layer in enumerate((*order, self.legend)):
+        for height, layer in enumerate((*order, self.legend, self.trouble)):
             layer.setZValue(height)
             self.scene().addItem(layer)
 
@@ -126,14 +135,22 @@ class ChartView(QGraphicsView):
         )
 
     def fit(self, area: QRectF) -> None:
-        """Bring a rectangle of the plane into view, with room around it."""
-        self._fitted = QRectF(area)
-        least = 40_000.0
-        grown = area.adjusted(*(s * max(area.width(), area.height(), least) * 0.09 for s in (-1, -1, 1, 1)))
+        """Bring a rectangle of the plane into view, clear of ribbon and legend."""
+        self._fitted, self._shows_all = QRectF(area), False
+        view = self.viewport().rect().adjusted(_FIT_SIDES_PX, _FIT_TOP_PX, -_FIT_SIDES_PX, -_FIT_BOTTOM_PX)
+        width, height = (max(side, _LEAST_FITTED_M) for side in (area.width(), area.height()))
+        self._set_scale(min(max(view.width(), 50) / width, max(view.height(), 50) / height))
+        shift = (_FIT_BOTTOM_PX - _FIT_TOP_PX) / 2.0 / self.transform().m11()
+        self.centerOn(area.center() + QPointF(0.0, shift))
+        self._moved(keep_fit=True)
+
+    def show_all(self) -> None:
+        """Fill the view with what is charted, the southern Baltic first."""
+        self._fitted, self._shows_all = None, True
         view = self.viewport().rect()
-        wanted = min(view.width() / max(grown.width(), least), view.height() / max(grown.height(), least))
-        self._set_scale(wanted)
-        self.centerOn(grown.center())
+        self._set_scale(max(view.width() / CHARTED.width(), view.height() / CHARTED.height()))
+        seen = view.height() / self.transform().m11()
+        self.centerOn(CHARTED.center().x(), CHARTED.bottom() - seen / 2.0)
         self._moved(keep_fit=True)
 
     def show_place(self, lat: float, lon: float) -> None:
@@ -142,7 +159,7 @@ class ChartView(QGraphicsView):
         self._moved()
 
     def picture(self) -> QImage:
-        """The chart as it is on the screen."""
+        """Give the chart as it is on the screen."""
         return self.grab().toImage()
 
     @property
@@ -186,7 +203,7 @@ class ChartView(QGraphicsView):
 
     def _moved(self, *, keep_fit: bool = False) -> None:
         if not keep_fit:
-            self._fitted = None
+            self._fitted, self._shows_all = None, False
         self.viewport().update()
         self.refresh_coast()
 
@@ -214,6 +231,8 @@ class ChartView(QGraphicsView):
         super().resizeEvent(event)
         if self._fitted is not None:
             self.fit(self._fitted)
+        elif self._shows_all:
+            self.show_all()
         else:
             self._moved()
 
@@ -280,7 +299,9 @@ class ChartView(QGraphicsView):
         menu.addAction(self.tr("Sail from here")).triggered.connect(
             lambda: self.end_picked.emit("from", lat, lon)
         )
-        menu.addAction(self.tr("Sail to here")).triggered.connect(lambda: self.end_picked.emit("to", lat, lon))
+        menu.addAction(self.tr("Sail to here")).triggered.connect(
+            lambda: self.end_picked.emit("to", lat, lon)
+        )
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         menu.popup(event.globalPos())
 

@@ -1,0 +1,70 @@
+"""The chart with its buttons, the ribbon that says what weather it is, and the slider below."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QEvent, QObject, QSize, Qt
+from PySide6.QtWidgets import QLabel, QToolButton, QVBoxLayout, QWidget
+
+from seacruise.desktop.chart.view import ChartView
+from seacruise.desktop.style import WARNING_GROUND, WARNING_INK, WARNING_LINE, icon, scaled_font
+from seacruise.desktop.time_bar import TimeBar
+
+_EDGE = 12
+
+
+class ChartPane(QWidget):
+    """Chart, overlay buttons, ribbon and time bar."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.view = ChartView(self)
+        self.time_bar = TimeBar(self)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(0)
+        layout.addWidget(self.view, 1)
+        layout.addWidget(self.time_bar)
+        self.zoom_in_button = self._button("plus", self.tr("Zoom in"))
+        self.zoom_out_button = self._button("minus", self.tr("Zoom out"))
+        self.fit_button = self._button("fit", self.tr("Show the whole passage"))
+        self.zoom_in_button.clicked.connect(self.view.zoom_in)
+        self.zoom_out_button.clicked.connect(self.view.zoom_out)
+        self.ribbon = QLabel(self.view)
+        self.ribbon.setFont(scaled_font(self.font(), 0.95, bold=True))
+        self.ribbon.setStyleSheet(
+            f"background: {WARNING_GROUND}; color: {WARNING_INK}; border: 1px solid {WARNING_LINE};"
+            "border-radius: 6px; padding: 5px 12px;"
+        )
+        self.ribbon.hide()
+        self.view.installEventFilter(self)
+
+    def _button(self, name: str, text: str) -> QToolButton:
+        button = QToolButton(self.view)
+        button.setIcon(icon(name))
+        button.setIconSize(QSize(18, 18))
+        button.setFixedSize(32, 32)
+        button.setToolTip(text)
+        button.setAccessibleName(text)
+        button.setCursor(Qt.CursorShape.ArrowCursor)
+        return button
+
+    def show_ribbon(self, text: str) -> None:
+        """Say over the chart, and so in every picture of it, what must not be overlooked; or nothing."""
+        self.ribbon.setText(text)
+        self.ribbon.setVisible(bool(text))
+        self._place()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Keep buttons and ribbon at their edges."""
+        if watched is self.view and event.type() == QEvent.Type.Resize:
+            self._place()
+        return bool(super().eventFilter(watched, event))
+
+    def _place(self) -> None:
+        right = self.view.width() - _EDGE
+        for row, button in enumerate((self.zoom_in_button, self.zoom_out_button, self.fit_button)):
+            button.move(right - button.width(), _EDGE + row * (button.height() + 5))
+        self.ribbon.adjustSize()
+        room = self.view.width() - 2 * (_EDGE + 44)
+        self.ribbon.resize(min(self.ribbon.width(), room), self.ribbon.height())
+        self.ribbon.move((self.view.width() - self.ribbon.width()) // 2, _EDGE)

@@ -1,0 +1,98 @@
+"""Saving the passage: GPX for the plotter, CSV for a spreadsheet, PNG for the crew."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtGui import QImage
+from PySide6.QtWidgets import QFileDialog, QWidget
+
+from seacruise.desktop.jobs import JobRunner
+from seacruise.errors import InputError
+
+if TYPE_CHECKING:
+    from seacruise.passage import Passage
+
+
+def save_image(image: QImage, path: Path) -> None:
+    """Write a picture.
+
+    Raises
+    ------
+    InputError
+        It cannot be written there.
+    """
+    path.parent.mkdir(parents=True, exist_ok=True)
+    part = path.with_name(f".{path.name}.part")
+    if not image.save(str(part), b"PNG"):
+        raise InputError(f"{path} cannot be written; choose another folder.")
+    part.replace(path)
+
+
+class Exporter(QObject):
+    """Asks for a file name and writes on a worker; ``saved(path)`` or ``failed(error)``."""
+
+    saved = Signal(object)
+    failed = Signal(object)
+
+    def __init__(self, window: QWidget) -> None:
+        super().__init__(window)
+        self._window = window
+        self._runner = JobRunner("export", self)
+        self._runner.finished.connect(lambda _, path: self.saved.emit(path))
+        self._runner.failed.connect(lambda _, error: self.failed.emit(error))
+
+    def ask_gpx(self, passage: Passage) -> None:
+        """Save the route for a plotter."""
+
+        def write(path: Path) -> None:
+            from seacruise.export.gpx import write_gpx
+
+            write_gpx(passage, path)
+
+        self._ask(_file_name(passage, "gpx"), self.tr("GPX route (*.gpx)"), write)
+
+    def ask_csv(self, passage: Passage) -> None:
+        """Save the legs for a spreadsheet."""
+
+        def write(path: Path) -> None:
+            from seacruise.export.csvform import write_csv
+
+            write_csv(passage, path)
+
+        self._ask(_file_name(passage, "csv"), self.tr("Table of legs (*.csv)"), write)
+
+    def ask_png(self, passage: Passage, image: QImage) -> None:
+        """Save the chart as it is on the screen."""
+        self._ask(
+            _file_name(passage, "png"), self.tr("Picture (*.png)"), lambda path: save_image(image, path)
+        )
+
+    def write(self, path: Path, write: Callable[[Path], None]) -> None:
+        """Write a file on a worker."""
+
+        def work(_job: object) -> Path:
+            write(path)
+            return path
+
+        self._runner.run_job(work)
+
+    def _ask(self, name: str, types: str, write: Callable[[Path], None]) -> None:
+        dialog = QFileDialog(self._window, self.tr("Save the passage"), name, types)
+        dialog.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)
+        dialog.setDefaultSuffix(Path(name).suffix[1:])
+        dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        dialog.fileSelected.connect(lambda chosen: self.write(Path(chosen), write))
+        dialog.open()
+
+    def shut_down(self) -> None:
+        """Let a file that is being written be finished."""
+        self._runner.shut_down()
+
+
+def _file_name(passage: Passage, suffix: str) -> str:
+    name = f"{passage.start.name}-{passage.end.name}-{passage.departure:%Y-%m-%d-%H%M}.{suffix}"
+    return "".join(letter if letter.isalnum() or letter in "-." else "_" for letter in name)

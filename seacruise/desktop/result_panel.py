@@ -1,0 +1,162 @@
+"""The answer in words: how long, when, how far, in what wind, by which forecast, and how far to trust it."""
+
+from __future__ import annotations
+
+from datetime import datetime
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QCoreApplication, Qt, Signal
+from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QVBoxLayout, QWidget
+
+from seacruise.desktop.banner import Banner, text_label
+from seacruise.desktop.departure_field import format_moment
+from seacruise.desktop.messages import age_h, format_age, notices_of
+from seacruise.desktop.style import scaled_font
+from seacruise.export.textform import format_duration, title, to_minute
+
+if TYPE_CHECKING:
+    from seacruise.passage import Passage
+
+
+class ResultPanel(QFrame):
+    """Shows one passage; everything is text that can be selected and read out."""
+
+    way_out_chosen = Signal(object)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("card")
+        self.heading = text_label("", "hint", self)
+        self.duration = QLabel(self)
+        self.duration.setFont(scaled_font(self.font(), 2.1, bold=True))
+        self.arrival = text_label("", "", self)
+        self._facts = QGridLayout()
+        self._facts.setHorizontalSpacing(10)
+        self._facts.setVerticalSpacing(4)
+        self._facts.setColumnStretch(1, 1)
+        self._notices = QVBoxLayout()
+        self._notices.setSpacing(6)
+        self.checks = text_label("", "good", self)
+        self.source = text_label("", "hint", self)
+        self.fine_print = text_label(
+            self.tr(
+                "A planning aid, not for navigation: shoals, traffic schemes and local rules are not in it. "
+                "Check the passage on an official chart."
+            ),
+            "fineprint",
+            self,
+        )
+        self.fine_print.setFont(scaled_font(self.font(), 0.9))
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(16, 12, 16, 14)
+        layout.setSpacing(7)
+        for widget in (self.heading, self.duration, self.arrival):
+            layout.addWidget(widget)
+        layout.addLayout(self._notices)
+        layout.addWidget(_rule(self))
+        layout.addLayout(self._facts)
+        layout.addWidget(_rule(self))
+        for widget in (self.checks, self.source, self.fine_print):
+            layout.addWidget(widget)
+
+    def show_passage(self, passage: Passage, now: datetime, *, earlier: bool) -> None:
+        """Show a passage; ``earlier`` when it is not of the latest calculation."""
+        head = f"{title(passage)}, {passage.yacht}"
+        self.heading.setText(self.tr("Earlier passage: {head}").format(head=head) if earlier else head)
+        self.duration.setText(format_duration(passage.duration_h))
+        leaves, arrives = (format_moment(to_minute(m)) for m in (passage.departure, passage.arrival))
+        self.arrival.setText(
+            self.tr("Arrives {arrives} UTC\nDeparts {leaves} UTC").format(arrives=arrives, leaves=leaves)
+        )
+        self.setAccessibleName(f"{head}: {self.duration.text()}, {self.arrival.text()}")
+        _clear(self._notices)
+        for message in notices_of(passage, now):
+            banner = Banner(message, self)
+            banner.way_out_chosen.connect(self.way_out_chosen)
+            self._notices.addWidget(banner)
+        self._show_facts(passage)
+        self._show_trust(passage, now)
+
+    def _show_facts(self, passage: Passage) -> None:
+        facts = [
+            (self.tr("Distance"), self.tr("{n:.1f} nm").format(n=passage.distance_nm)),
+            (self.tr("Direct distance"), self.tr("{n:.1f} nm").format(n=passage.direct_distance_nm)),
+            (self.tr("Mean speed"), self.tr("{n:.1f} kn").format(n=passage.mean_speed_kn)),
+            (self.tr("Strongest wind"), self.tr("{n:.0f} kn").format(n=passage.max_tws_kn)),
+            (
+                self.tr("Tacks and gybes"),
+                self.tr("{t} and {g}").format(t=passage.tacks, g=passage.gybes),
+            ),
+        ]
+        if passage.motor_h > 0:
+            used = self.tr("{t}, {f:.0f} l").format(t=format_duration(passage.motor_h), f=passage.fuel_l)
+            facts.append((self.tr("Under engine"), used))
+        if passage.beyond_forecast_h > 0:
+            facts.append((self.tr("Beyond the forecast"), format_duration(passage.beyond_forecast_h)))
+        _clear(self._facts)
+        for row, (name, value) in enumerate(facts):
+            left, right = QLabel(name, self), QLabel(value, self)
+            left.setObjectName("factName")
+            right.setFont(scaled_font(self.font(), 1.0, bold=True))
+            right.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+            right.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+            self._facts.addWidget(left, row, 0)
+            self._facts.addWidget(right, row, 1)
+
+    def _show_trust(self, passage: Passage, now: datetime) -> None:
+        checks = passage.checks
+        passed = [
+            text
+            for ok, text in (
+                (checks.land_free, self.tr("clear of land")),
+                (checks.zones_free, self.tr("clear of closed zones")),
+                (checks.within_limits, self.tr("within your limits")),
+            )
+            if ok
+        ]
+        failed = not (checks.land_free and checks.zones_free and checks.within_limits)
+        sentence = self.tr("Sailed again leg by leg: {what}.").format(what=", ".join(passed) or "–")
+        if failed:
+            sentence += " " + self.tr("A check failed: do not sail it as it is.")
+        if passage.lower_bound_h > 0:
+            sentence += " " + self.tr("No passage of hers in this wind takes less than {t}.").format(
+                t=format_duration(passage.lower_bound_h)
+            )
+        self.checks.setText(sentence)
+        self.checks.setObjectName("fault" if failed else "good")
+        self.checks.style().unpolish(self.checks)
+        self.checks.style().polish(self.checks)
+        self.source.setText(source_text(passage, now))
+
+
+def _tr(text: str) -> str:
+    return QCoreApplication.translate("ResultPanel", text)
+
+
+def source_text(passage: Passage, now: datetime) -> str:
+    """Source of the forecast, its age and its grid."""
+    forecast = passage.forecast
+    parts = [forecast.source]
+    if forecast.issued is not None and not forecast.notice:
+        parts.append(
+            _tr("issued {moment} UTC, {age} ago").format(
+                moment=format_moment(forecast.issued), age=format_age(age_h(forecast.issued, now))
+            )
+        )
+    parts.append(
+        _tr("{deg:g}° grid, every {step:g} h").format(deg=forecast.resolution_deg, step=forecast.step_h)
+    )
+    return _tr("Wind: {parts}.").format(parts="; ".join(parts))
+
+
+def _rule(parent: QWidget) -> QFrame:
+    rule = QFrame(parent)
+    rule.setObjectName("rule")
+    return rule
+
+
+def _clear(layout: QGridLayout | QVBoxLayout) -> None:
+    while (item := layout.takeAt(0)) is not None:
+        if (widget := item.widget()) is not None:
+            widget.hide()
+            widget.deleteLater()

@@ -1,0 +1,112 @@
+"""The panel beside the chart: messages, progress, and the answer; and what to do first."""
+
+from __future__ import annotations
+
+from datetime import datetime
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QFrame, QScrollArea, QVBoxLayout, QWidget
+
+from seacruise.desktop.banner import Banner, text_label
+from seacruise.desktop.messages import Message
+from seacruise.desktop.progress_panel import ProgressPanel
+from seacruise.desktop.result_panel import ResultPanel
+from seacruise.desktop.state import Phase, WindowState
+from seacruise.desktop.style import scaled_font
+
+
+def scroll_area(body: QWidget, width: int, parent: QWidget | None = None) -> QScrollArea:
+    """Scroll area of a fixed width for a column of cards."""
+    area = QScrollArea(parent)
+    area.setObjectName("side")
+    area.setFrameShape(QFrame.Shape.NoFrame)
+    area.setWidgetResizable(True)
+    area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+    area.setFixedWidth(width)
+    area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+    body.setObjectName("sideBody")
+    area.setWidget(body)
+    return area
+
+
+class Welcome(QFrame):
+    """What to do first."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("card")
+        title = text_label(self.tr("Is a week enough?"), parent=self)
+        title.setFont(scaled_font(self.font(), 1.25, bold=True))
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(16, 12, 16, 14)
+        layout.setSpacing(9)
+        layout.addWidget(title)
+        for text in (
+            self.tr(
+                "Choose two ports, a departure and your yacht. "
+                "SeaCruise finds the fastest passage under sail."
+            ),
+            self.tr("Right-click on the chart to sail from or to any position."),
+            self.tr("Drop a polar file on the window to add your yacht, or a GRIB file to use its wind."),
+        ):
+            layout.addWidget(text_label(text, parent=self))
+        keys = text_label(
+            self.tr("Ctrl+Enter calculates, Esc cancels, + and − zoom, the arrow keys move the chart."),
+            "hint",
+            self,
+        )
+        layout.addWidget(keys)
+
+
+class SidePanel(QWidget):
+    """Column of cards; ``way_out_chosen(way_out)`` from any banner."""
+
+    way_out_chosen = Signal(object)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.progress = ProgressPanel(self)
+        self.result = ResultPanel(self)
+        self.result.way_out_chosen.connect(self.way_out_chosen)
+        self.welcome = Welcome(self)
+        self.banner: Banner | None = None
+        self._layout = QVBoxLayout(self)
+        self._layout.setContentsMargins(10, 10, 10, 10)
+        self._layout.setSpacing(10)
+        self._layout.addWidget(self.welcome)
+        self._layout.addWidget(self.progress)
+        self._layout.addWidget(self.result)
+        self._layout.addStretch()
+        self._pictured: tuple[int, bool] | None = None
+
+    def show_state(self, state: WindowState, message: Message | None, now: datetime) -> None:
+        """Show a state with its message."""
+        computing = state.phase is Phase.COMPUTING
+        if computing and self.progress.isHidden():
+            self.progress.begin()
+        elif not computing:
+            self.progress.end()
+        self.progress.setVisible(computing)
+        if computing:
+            self.progress.show_progress(state.progress)
+        self._show_message(message)
+        self.result.setVisible(state.answer is not None)
+        if state.answer is not None:
+            shown = (state.answer_generation, state.answer_is_earlier)
+            if shown != self._pictured:
+                self.result.show_passage(state.answer.passage, now, earlier=state.answer_is_earlier)
+                self._pictured = shown
+        self.welcome.setVisible(not computing and message is None and state.answer is None)
+
+    def _show_message(self, message: Message | None) -> None:
+        if self.banner is not None:
+            if message == self.banner.message:
+                return
+            self._layout.removeWidget(self.banner)
+            self.banner.hide()
+            self.banner.deleteLater()
+            self.banner = None
+        if message is not None:
+            self.banner = Banner(message, self)
+            self.banner.way_out_chosen.connect(self.way_out_chosen)
+            self._layout.insertWidget(0, self.banner)
