@@ -127,9 +127,9 @@ def picture_of_route(size: tuple[int, int], settings: Settings, folder: Path) ->
     window.chart.time_bar.slider.setValue(15 * 60)
     save(window, folder / "route.png")
     window.legs.choose_leg(4)
-    window.layer_actions["lattice"].setChecked(True)
+    window.menus.layers["lattice"].setChecked(True)
     save(window, folder / "lattice.png")
-    window.layer_actions["lattice"].setChecked(False)
+    window.menus.layers["lattice"].setChecked(False)
     for _ in range(3):
         window.chart.view.zoom_in()
     window.form.show_options(shown=True)

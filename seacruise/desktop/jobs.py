@@ -167,8 +167,8 @@ class GarbageKeeper(QObject):
         Tells whether a calculation runs, which is no time for a full collection.
     """
 
-    _INTERVAL_MS = 500
-    _FULL_EVERY = 40
+    _INTERVAL_MS = 100
+    _FULL_EVERY = 200
 
     def __init__(self, is_busy: Callable[[], bool], parent: QObject | None = None) -> None:
         super().__init__(parent)

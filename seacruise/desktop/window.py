@@ -10,13 +10,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
 from PySide6.QtCore import Qt, QTimer, Signal
-from PySide6.QtGui import QAction, QCloseEvent, QDragEnterEvent, QDropEvent, QKeySequence
+from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import (
     QFrame,
     QHBoxLayout,
     QLabel,
     QMainWindow,
-    QMenu,
     QSplitter,
     QVBoxLayout,
     QWidget,
@@ -31,6 +30,7 @@ from seacruise.desktop.form import PassageForm
 from seacruise.desktop.jobs import GarbageKeeper, JobRunner, unexpected
 from seacruise.desktop.legs import LegsTable
 from seacruise.desktop.memory import WindowMemory
+from seacruise.desktop.menus import Commands, Menus
 from seacruise.desktop.messages import Message, WayOut, age_h, format_age, message_for
 from seacruise.desktop.side_panel import SidePanel, scroll_area
 from seacruise.desktop.state import Phase, WindowState
@@ -136,46 +136,24 @@ class MainWindow(QMainWindow):
         self.setCentralWidget(centre)
 
     def _build_menus(self) -> None:
-        file_menu = self.menuBar().addMenu(self.tr("&File"))
-        view_menu = self.menuBar().addMenu(self.tr("&View"))
-        passage_menu = self.menuBar().addMenu(self.tr("&Passage"))
-        help_menu = self.menuBar().addMenu(self.tr("&Help"))
-        self.export_actions = [
-            self._action(file_menu, self.tr("Save route as &GPX…"), self._export_gpx, "Ctrl+S"),
-            self._action(file_menu, self.tr("Save legs as &CSV…"), self._export_csv),
-            self._action(file_menu, self.tr("Save chart as &PNG…"), self._export_png),
-        ]
-        file_menu.addSeparator()
-        self._action(file_menu, self.tr("&Quit"), self.close, "Ctrl+Q")
-        self.layer_actions = {
-            "wind": self._toggle(view_menu, self.tr("&Wind barbs"), "W", self._show_layers, checked=True),
-            "ports": self._toggle(view_menu, self.tr("&Ports"), "P", self._show_layers, checked=True),
-            "lattice": self._toggle(view_menu, self.tr("&Lattice"), "L", self._show_layers, checked=False),
-            "legs": self._toggle(view_menu, self.tr("Table of l&egs"), "T", self._show_layers, checked=True),
-        }
-        view_menu.addSeparator()
         view = self.chart.view
-        self._action(view_menu, self.tr("Zoom &in"), view.zoom_in, "Ctrl++")
-        self._action(view_menu, self.tr("Zoom &out"), view.zoom_out, "Ctrl+-")
-        self._action(view_menu, self.tr("Whole pa&ssage"), self._fit, "Ctrl+0")
-        self._action(passage_menu, self.tr("&Calculate"), self.calculate, "Ctrl+Return", "Ctrl+Enter")
-        self._action(passage_menu, self.tr("Ca&ncel"), self.cancel, "Esc")
-        self._action(passage_menu, self.tr("&Swap start and end"), self.form.swap_ends, "Ctrl+R")
-        self._action(help_menu, self.tr("&About SeaCruise"), self.show_about, "F1")
-
-    def _action(self, menu: QMenu, text: str, slot: Any, *keys: str) -> QAction:
-        action = menu.addAction(text)
-        action.setShortcuts([QKeySequence(key) for key in keys])
-        action.triggered.connect(lambda _checked=False: slot())
-        return action
-
-    def _toggle(self, menu: QMenu, text: str, key: str, slot: Any, *, checked: bool) -> QAction:
-        action = menu.addAction(text)
-        action.setCheckable(True)
-        action.setChecked(checked)
-        action.setShortcut(QKeySequence(f"Ctrl+Shift+{key}"))
-        action.toggled.connect(lambda _checked: slot())
-        return action
+        self.menus = Menus(
+            self,
+            Commands(
+                save_gpx=self._export_gpx,
+                save_csv=self._export_csv,
+                save_png=self._export_png,
+                quit=self.close,
+                show_layers=self._show_layers,
+                zoom_in=view.zoom_in,
+                zoom_out=view.zoom_out,
+                fit=self._fit,
+                calculate=self.calculate,
+                cancel=self.cancel,
+                swap=self.form.swap_ends,
+                about=self.show_about,
+            ),
+        )
 
     def _build_status(self) -> None:
         self.source_label, self.quota_label, self.position_label = QLabel(), QLabel(), QLabel()
@@ -286,7 +264,7 @@ class MainWindow(QMainWindow):
         running = state.phase is Phase.COMPUTING
         self.form.set_running(running=running)
         answered = state.answer is not None
-        for action in self.export_actions:
+        for action in self.menus.exports:
             action.setEnabled(answered)
         self.chart.fit_button.setEnabled(answered)
         self.chart.view.route.faded = state.answer_is_earlier
@@ -322,7 +300,7 @@ class MainWindow(QMainWindow):
         self.source_label.setText(self.tr("Wind: {source}").format(source=forecast.source) + age)
 
     def _show_layers(self) -> None:
-        checked = {name: action.isChecked() for name, action in self.layer_actions.items()}
+        checked = {name: action.isChecked() for name, action in self.menus.layers.items()}
         view = self.chart.view
         view.wind.setVisible(checked["wind"])
         view.ports.names_shown = checked["ports"]
@@ -332,12 +310,12 @@ class MainWindow(QMainWindow):
 
     def _show_lattice(self) -> None:
         answer = self.state.answer
-        shown = self.layer_actions["lattice"].isChecked() and answer is not None
+        shown = self.menus.layers["lattice"].isChecked() and answer is not None
         self.chart.view.coast.show_lattice(answer.passage.lattice_edges if shown and answer else None)
         self.chart.view.refresh_coast()
 
     def _restore_layers(self, kept: dict[str, Any]) -> None:
-        for name, action in self.layer_actions.items():
+        for name, action in self.menus.layers.items():
             if isinstance(kept.get(name), bool):
                 action.setChecked(kept[name])
 
@@ -459,7 +437,7 @@ class MainWindow(QMainWindow):
         """Remember, cancel, and leave; a calculation that runs is dropped cleanly."""
         if self._memory is not None:
             self._memory.keep("form", self.form.contents())
-            self._memory.keep("layers", {n: a.isChecked() for n, a in self.layer_actions.items()})
+            self._memory.keep("layers", {n: a.isChecked() for n, a in self.menus.layers.items()})
             self._memory.keep_geometry(self, self.splitter)
             self._memory.flush()
         self.hide()

@@ -43,7 +43,9 @@ APPROACH_NM: Final = 0.15
 OPEN_WATER_NM: Final = 3.5
 """Room on all sides [nm] with which the approach of a port is over; bays among islands have less."""
 
-_FIRST_REACH: Final = 1.3
+MOST_DETAIL: Final = 2
+
+_FIRST_REACH: Final = 1.65
 _LAST_REACH: Final = 4.0
 _KEPT: Final = 8
 
@@ -149,6 +151,7 @@ class Finder:
 
     def __init__(self) -> None:
         self.cache = LatticeCache()
+        self._speeds: tuple[Polar, Handling, SpeedTable] | None = None
 
     def fastest(self, asked: Question, *, job: Job, ledger: Ledger) -> Fastest:
         """Find the fastest passage.
@@ -158,7 +161,7 @@ class Finder:
         NoPassageError
             With the reason: ``no-water-path``, ``becalmed``, ``wind-limit`` or ``dead-angle``.
         """
-        speeds = speed_table(asked.polar, asked.how.handling)
+        speeds = self._speed_table(asked.polar, asked.how.handling)
         coarse = wind_field(asked.wind, slice_s=COARSE_SLICE_S, since=asked.departure)
         fine = wind_field(asked.wind, since=asked.departure)
         waters = Waters(asked.sea, fine, speeds)
@@ -178,6 +181,12 @@ class Finder:
         ledger.vertices, ledger.edges = grid.vertices, int(grid.target.size)
         return Fastest(line, grid, speeds)
 
+    def _speed_table(self, polar: Polar, handling: Handling) -> SpeedTable:
+        """Give the table used last, or make another."""
+        if self._speeds is None or self._speeds[0] is not polar or self._speeds[1] != handling:
+            self._speeds = (polar, handling, speed_table(polar, handling))
+        return self._speeds[2]
+
     def _precise(
         self, asked: Question, waters: Waters, coarse: WindField, job: Job, ledger: Ledger
     ) -> tuple[Line | None, Lattice]:
@@ -186,9 +195,9 @@ class Finder:
         ledger.directions = asked.how.directions or COURSES
         ledger.spacing_nm = asked.how.spacing_nm or min(SPACING_NM, max(0.5, direct / METRES_PER_NM / 40))
         reach = max(direct * _FIRST_REACH, direct + 20 * METRES_PER_NM)
-        shore = SHORE_NM
+        detail = 0
         while True:
-            grid = self._lattice(asked, reach, shore, job, ledger)
+            grid = self._lattice(asked, reach, detail, job, ledger)
             job.check()
             job.report("search", None, f"Searching {grid.vertices:,} vertices")
             found = search(grid, coarse, waters.speeds, asked.departure)
@@ -201,14 +210,14 @@ class Finder:
                 if asked.how.area == "rectangle" or needed <= reach:
                     return line, grid
                 reach = needed
-            elif shore > 0.5 and not connected(grid):
-                shore /= 2
+            elif detail < MOST_DETAIL and not connected(grid):
+                detail += 1
             elif asked.how.area == "rectangle" or reach >= direct * _LAST_REACH:
                 return None, grid
             else:
                 reach = max(reach * 2, direct + 100 * METRES_PER_NM)
 
-    def _lattice(self, asked: Question, reach: float, shore: float, job: Job, ledger: Ledger) -> Lattice:
+    def _lattice(self, asked: Question, reach: float, detail: int, job: Job, ledger: Ledger) -> Lattice:
         """Build or recall the lattice of an area."""
         job.report("lattice", None, "Building the lattice")
         spacing = ledger.spacing_nm
@@ -217,25 +226,32 @@ class Finder:
         else:
             area = Area("ellipse", asked.ends, math.ceil(reach / METRES_PER_NM) * METRES_PER_NM)
         grid = self.cache.get(
-            (spacing, ledger.directions, area.kind, area.reach_m, shore),
+            (spacing, ledger.directions, area.kind, area.reach_m, detail),
             asked.sea,
             (asked.start, asked.end),
             spacing_nm=spacing,
             offsets=stencil.triangular(ledger.directions),
             area=area,
-            levels=approach_levels(asked, spacing, shore),
+            levels=approach_levels(asked, spacing, detail),
         )
         ledger.lap("lattice")
         return grid
 
 
-def approach_levels(asked: Question, spacing_nm: float, shore_nm: float) -> Levels:
-    """Levels that lead from both ends to open water, as far as islands and narrows reach."""
-    everywhere = max(0, math.ceil(math.log2(spacing_nm / shore_nm)))
+def approach_levels(asked: Question, spacing_nm: float, detail: int) -> Levels:
+    """Levels that lead from both ends to open water, as far as islands and narrows reach.
+
+    Parameters
+    ----------
+    detail
+        0 at first; each one more halves the spacing near the shore and doubles the room around the ways
+        out, for ends that were not connected.
+    """
+    everywhere = max(0, math.ceil(math.log2(spacing_nm / SHORE_NM))) + detail
     approaches = max(0, math.ceil(math.log2(spacing_nm / APPROACH_NM)) - everywhere)
     room = OPEN_WATER_NM * asked.plane_per_nm
-    ways = [asked.sea.ways_out(*port, room_m=room) for port in (asked.start, asked.end)]
-    return Levels(everywhere, approaches, np.concatenate(ways))
+    ways = tuple(asked.sea.ways_out(*port, room_m=room) for port in (asked.start, asked.end))
+    return Levels(everywhere, approaches, ways, sides=3.0 * 2**detail)
 
 
 def _reach_needed(asked: Question, waters: Waters, seconds: float) -> float:
@@ -266,16 +282,14 @@ def _reach_needed(asked: Question, waters: Waters, seconds: float) -> float:
 def _classic(asked: Question, job: Job, ledger: Ledger) -> tuple[Line | None, Lattice]:
     """R1's search; where R1's own lattice is cut off from a port, it is refined at the shore and ports."""
     ledger.directions, ledger.spacing_nm = 12, asked.how.spacing_nm or classic.SPACING_NM
-    shore = ledger.spacing_nm
     levels = lattices.NO_LEVELS
-    while True:
+    for detail in range(MOST_DETAIL + 2):
         job.report("lattice", None, "Building the lattice")
         grid = classic.lattice(asked.sea, asked.start, asked.end, spacing_nm=ledger.spacing_nm, levels=levels)
         ledger.lap("lattice")
-        if connected(grid) or shore < 0.5:
+        if connected(grid):
             break
-        shore /= 2
-        levels = approach_levels(asked, ledger.spacing_nm, shore)
+        levels = approach_levels(asked, ledger.spacing_nm, detail)
     job.check()
     job.report("search", None, f"Searching {grid.vertices:,} vertices")
     found = classic.search(grid, asked.wind, asked.polar, asked.how.handling, asked.departure)

@@ -8,7 +8,7 @@ vertices, so a fine lattice near the shore is joined to the coarse one by the ve
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from typing import Final, Literal
 
 import numpy as np
@@ -24,9 +24,6 @@ Array = NDArray[np.float64]
 
 MOST_VERTICES: Final = 6_000_000
 """Finer lattices are refused: they would not fit in the memory of a small computer."""
-
-APPROACH_SIDES: Final = 6.0
-"""Approaches are refined within so many sides of a level's triangles of a way out."""
 
 _JOINED: Final = 48
 _PAD: Final = 8
@@ -64,14 +61,17 @@ class Levels:
     everywhere
         Levels by which the shore is refined in the whole area.
     approaches
-        Further levels around ``ways``: the ways by which the ends lead out of islands.
+        Further levels around ``ways``: the ways by which each end leads out of islands.
     ways
-        ``(n, 4)`` lines as in `Area`.
+        For each end ``(n, 4)`` lines as in `Area`.
+    sides
+        How far around the ways, in sides of a level's triangles.
     """
 
     everywhere: int = 0
     approaches: int = 0
-    ways: Array = field(default_factory=lambda: np.empty((0, 4)))
+    ways: tuple[Array, ...] = ()
+    sides: float = 3.0
 
 
 NO_LEVELS: Final = Levels()
@@ -164,9 +164,11 @@ def build(
     whole = grower.grow(None, 0, offsets, area)
     for level in range(1, levels.everywhere + 1):
         whole = grower.grow(whole, level, offsets, area.at_level(level))
-    for level in range(levels.everywhere + 1, levels.everywhere + levels.approaches + 1):
-        around = Area("corridor", levels.ways, APPROACH_SIDES * spacing / 2**level)
-        whole = grower.grow(whole, level, offsets, around)
+    for way in levels.ways:
+        patch = whole
+        for level in range(levels.everywhere + 1, levels.everywhere + levels.approaches + 1):
+            around = Area("corridor", way, levels.sides * spacing / 2**level)
+            patch = grower.grow(patch, level, offsets, around)
     return grower.finish(enter_from)
 
 

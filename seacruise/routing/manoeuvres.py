@@ -7,8 +7,7 @@ of boards ending on the leg, and no board touching land.
 
 from __future__ import annotations
 
-import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
@@ -62,82 +61,93 @@ def straight_legs(line: Line) -> Course:
 
 def sail_boards(asked: Question, line: Line) -> Course:
     """Replace each leg that is sailed on the hull by boards on the two headings of the hull."""
-    builder = _Boards(asked, line)
-    for k in range(line.x.size - 1):
-        pieces = max(1, round(float(line.times[k + 1] - line.times[k]) / PAIR_S))
-        for p in range(pieces):
-            builder.add(k, p / pieces, (p + 1) / pieces)
+    builder = _Builder(asked.sea, (float(line.x[0]), float(line.y[0])))
+    for piece in _pieces(asked, line):
+        builder.add(piece)
     return merge_straight(builder.course(), asked.sea)
 
 
-class _Boards:
+@dataclass(frozen=True, slots=True, eq=False)
+class _Piece:
+    """Part of a leg: from a to b ``(2,)`` [m of the plane] in some seconds, ``gain`` times as fast on the hull.
+
+    ``headings`` ``(2, 2)`` holds the direction of each heading in a column.
+    """
+
+    a: Array
+    b: Array
+    seconds: float
+    gain: float
+    headings: Array
+
+
+def _pieces(asked: Question, line: Line) -> list[_Piece]:
+    """Cut a line into pieces of about `PAIR_S` and find the best headings in each one's middle."""
+    polar = asked.polar
+    cuts = [max(1, round(float(seconds) / PAIR_S)) for seconds in np.diff(line.times)]
+    shares = np.concatenate([k + np.arange(n) / n for k, n in enumerate(cuts)] + [[float(len(cuts))]])
+    nodes = np.arange(line.x.size)
+    x, y, t = (np.interp(shares, nodes, axis) for axis in (line.x, line.y, line.times))
+    lat, lon = from_mercator((x[1:] + x[:-1]) / 2, (y[1:] + y[:-1]) / 2)
+    tws, twd = to_direction(*asked.wind.at((t[1:] + t[:-1]) / 2, lat, lon))
+    twa = (twd - np.degrees(np.arctan2(np.diff(x), np.diff(y))) + 180.0) % 360.0 - 180.0
+    first, share, second, other = hull_headings(polar, tws, twa)
+    made = share * polar.speed(tws, first) * np.cos(np.radians(first - twa))
+    made += other * polar.speed(tws, second) * np.cos(np.radians(second - twa))
+    direct = polar.speed(tws, twa)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        gain = np.where(other > 0.0, np.where(direct > 0.0, made / direct, np.inf), 1.0)
+    courses = np.radians([twd - first, twd - second])
+    headings = np.array([np.sin(courses), np.cos(courses)])
+    points = np.stack([x, y], axis=1)
+    return [
+        _Piece(points[k], points[k + 1], float(t[k + 1] - t[k]), float(gain[k]), headings[:, :, k])
+        for k in range(gain.size)
+    ]
+
+
+class _Builder:
     """Collects the corners of a course; `sail_boards` is its only user."""
 
-    def __init__(self, asked: Question, line: Line) -> None:
-        self.asked, self.line = asked, line
-        self.corners: list[tuple[float, float]] = [(float(line.x[0]), float(line.y[0]))]
+    def __init__(self, sea: Sea, start: tuple[float, float]) -> None:
+        self.sea = sea
+        self.corners = [start]
         self.short: list[bool] = []
         self.other_first = False
 
     def course(self) -> Course:
+        """Give what was collected."""
         points = np.array(self.corners)
         return Course(points[:, 0], points[:, 1], np.array(self.short, dtype=bool))
 
-    def add(self, leg: int, begin: float, end: float) -> None:
-        """Sail from one share of a leg to another."""
-        line = self.line
-        a, b = (np.array([line.x[k], line.y[k]]) for k in (leg, leg + 1))
-        a, b = a + (b - a) * begin, a + (b - a) * end
-        span = float(line.times[leg + 1] - line.times[leg])
-        gain, headings, legs = self._mix(a, b, float(line.times[leg]) + span * (begin + end) / 2)
-        if gain < GAIN or legs.min() <= 0.0:
-            self._append(b[None, :], short=False)
-            return
-        seconds = span * (end - begin)
-        boards = self._boards(a, headings * legs, seconds)
-        if boards is not None:
-            self._append(boards, short=False)
-        elif seconds > 2 * SHORTEST_PAIR_S:
-            # Only a part of it may be narrow: plan the halves on their own.
-            middle = (begin + end) / 2
-            self.add(leg, begin, middle)
-            self.add(leg, middle, end)
-        else:
-            self._append(b[None, :], short=True)
-
-    def _append(self, points: Array, *, short: bool) -> None:
+    def add(self, piece: _Piece) -> None:
+        """Sail a piece: straight, on boards, or - where there is no room - halves of it on their own."""
+        boards = None
+        if piece.gain >= GAIN:
+            legs = np.linalg.solve(piece.headings, piece.b - piece.a)
+            if legs.min() > 0.0:
+                boards = self._boards(piece, piece.headings * legs)
+                if boards is None and piece.seconds > 2 * SHORTEST_PAIR_S:
+                    middle = (piece.a + piece.b) / 2
+                    self.add(replace(piece, b=middle, seconds=piece.seconds / 2))
+                    self.add(replace(piece, a=middle, seconds=piece.seconds / 2))
+                    return
+        short = piece.gain >= GAIN and boards is None
+        points = piece.b[None, :] if boards is None else boards
         self.corners.extend((float(x), float(y)) for x, y in points)
         self.short.extend([short] * len(points))
 
-    def _mix(self, a: Array, b: Array, t: float) -> tuple[float, Array, Array]:
-        """How much faster than straight the hull is; its two headings ``(2, 2)`` and the way on each [m]."""
-        polar, vector = self.asked.polar, b - a
-        lat, lon = from_mercator(*((a + b) / 2))
-        tws, twd = (float(c) for c in to_direction(*self.asked.wind.at(t, lat, lon)))
-        twa = (twd - math.degrees(math.atan2(vector[0], vector[1])) + 180.0) % 360.0 - 180.0
-        first, share, second, other = (float(c) for c in hull_headings(polar, tws, twa))
-        if other <= 0.0:
-            return 1.0, np.eye(2), np.zeros(2)
-        direct, *speeds = (float(polar.speed(tws, angle)) for angle in (twa, first, second))
-        made = sum(
-            part * speed * math.cos(math.radians(angle - twa))
-            for part, speed, angle in zip((share, other), speeds, (first, second), strict=True)
-        )
-        course = np.radians([twd - first, twd - second])
-        headings = np.array([np.sin(course), np.cos(course)])
-        return made / direct if direct > 0.0 else math.inf, headings, np.linalg.solve(headings, vector)
-
-    def _boards(self, a: Array, steps: Array, seconds: float) -> Array | None:
+    def _boards(self, piece: _Piece, steps: Array) -> Array | None:
         """Corners of the boards, as few as the water allows; ``None`` where it is too narrow.
 
         Every second pair begins with the heading on which the last one ended, which halves the tacks.
         """
         pairs = 1
-        while pairs == 1 or seconds / pairs >= SHORTEST_PAIR_S:
+        while pairs == 1 or piece.seconds / pairs >= SHORTEST_PAIR_S:
             for swap in (self.other_first, not self.other_first):
-                corners, last = _zigzag(a, steps / pairs, pairs, swap)
-                points = np.vstack([a, corners])
-                if bool(self.asked.sea.clear(np.hstack([points[:-1], points[1:]])).all()):
+                corners, last = _zigzag(piece.a, steps / pairs, pairs, swap)
+                points = np.vstack([piece.a, corners])
+                if bool(self.sea.clear(np.hstack([points[:-1], points[1:]])).all()):
                     self.other_first = last
                     return corners
             pairs *= 2

@@ -24,6 +24,9 @@ _U_NAMES: Final = {"10u", "u", "ugrd", "10u_instant"}
 _V_NAMES: Final = {"10v", "v", "vgrd", "10v_instant"}
 _GRIB1_U, _GRIB1_V, _GRIB1_CURRENTS = 33, 34, (47, 48, 49, 50)
 _GRIB1_HEIGHT, _GRIB1_SURFACE = 105, 1
+_TIME_UNITS: Final = frozenset({0, 1, 2, 10, 11, 12, 13, 14, 254})
+"""Minutes to days and seconds, in the codes of either edition."""
+
 _ROUNDING_DEG: Final = 0.0005
 """GRIB 1 rounds degrees to three digits."""
 
@@ -194,6 +197,9 @@ def _message(eccodes: Any, handle: Any, component: Component) -> _Message:
     kind = str(get(handle, "gridType"))
     rows, columns = int(get(handle, "Nj")), int(get(handle, "Ni"))
     missing = float(get(handle, "missingValue"))
+    if int(get(handle, "indicatorOfUnitOfTimeRange")) not in _TIME_UNITS:
+        # the library divides by the length of a unit that it does not know
+        raise WeatherError("one of its messages is damaged (its unit of time)")
     values = np.asarray(eccodes.codes_get_values(handle))
     if values.size != rows * columns:
         raise WeatherError(f"a grid of the kind {kind} with {values.size} values cannot be read")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from functools import lru_cache
 from typing import Final
 
@@ -11,8 +12,6 @@ from PySide6.QtGui import (
     QFont,
     QFontMetricsF,
     QPainter,
-    QPainterPath,
-    QPen,
     QPixmap,
     QTransform,
 )
@@ -21,6 +20,7 @@ from PySide6.QtWidgets import QGraphicsItem, QStyleOptionGraphicsItem, QWidget
 from seacruise.desktop.chart import palette
 
 _HALO_PX: Final = 3.0
+_AROUND: Final = tuple((1.6 * math.cos(k * math.pi / 4), 1.6 * math.sin(k * math.pi / 4)) for k in range(8))
 
 
 class Layer(QGraphicsItem):
@@ -63,24 +63,27 @@ def _text_sprite(text: str, font: str, colour: int, density: float) -> tuple[QPi
     face = QFont()
     face.fromString(font)
     metrics = QFontMetricsF(face)
-    path = QPainterPath()
-    path.addText(_HALO_PX, metrics.ascent() + _HALO_PX, face, text)
+    base = QPointF(_HALO_PX, metrics.ascent() + _HALO_PX)
     size = QSizeF(metrics.horizontalAdvance(text) + 2 * _HALO_PX, metrics.height() + 2 * _HALO_PX)
     pixmap = QPixmap((size * density).toSize() + QSize(1, 1))
     pixmap.setDevicePixelRatio(density)
     pixmap.fill(Qt.GlobalColor.transparent)
     painter = QPainter(pixmap)
-    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-    painter.strokePath(path, QPen(palette.HALO, _HALO_PX))
-    painter.fillPath(path, QColor.fromRgba(colour))
+    painter.setFont(face)
+    painter.setPen(palette.HALO)
+    # Stroking the outlines looks the same and takes ten times as long.
+    for dx, dy in _AROUND:
+        painter.drawText(base + QPointF(dx, dy), text)
+    painter.setPen(QColor.fromRgba(colour))
+    painter.drawText(base, text)
     painter.end()
-    return pixmap, metrics.ascent() + _HALO_PX
+    return pixmap, base.y()
 
 
 def halo_text(painter: QPainter, x: float, y: float, text: str, colour: QColor) -> None:
     """Draw a text with its base line at a point, legible on any ground.
 
-    Stroking the outlines of sixty names takes longer than the rest of a frame, so each is done once.
+    Sixty names with halos take longer than the rest of a frame, so each is made once.
     """
     density = painter.device().devicePixelRatio()
     sprite, base = _text_sprite(text, painter.font().toString(), colour.rgba(), density)

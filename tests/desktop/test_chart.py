@@ -1,0 +1,358 @@
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+import numpy as np
+import pytest
+import shapely
+from hypothesis import given
+from hypothesis import strategies as st
+from PySide6.QtCore import QPoint, QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QWheelEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
+
+from seacruise.desktop.chart import palette
+from seacruise.desktop.chart.barbs import barb_counts, direction_class, make_barb
+from seacruise.desktop.chart.graticule import angle_label, scale_bar, step_minutes
+from seacruise.desktop.chart.land import LandCells, cell_box, clip_ring
+from seacruise.desktop.chart.plane import CHARTED, point, position, rectangle
+from seacruise.desktop.chart.ports_layer import rank_by_room
+from seacruise.desktop.chart.view import ChartView
+from seacruise.desktop.chart.wind_layer import LEAST_PX, spacing_m
+from seacruise.desktop.compute import Answer, Question
+from seacruise.geodesy import rhumb_distance_m
+from seacruise.ports import Port
+from tests.passages import hand_made_passage, veering_wind
+
+
+@pytest.fixture
+def view(app: QApplication, qtbot: QtBot) -> Iterator[ChartView]:
+    view = ChartView()
+    qtbot.addWidget(view)
+    view.resize(800, 600)
+    view.show()
+    yield view
+    view.painter_jobs.shut_down()
+
+
+@pytest.fixture
+def answer(view: ChartView) -> Answer:
+    question: Question = None  # type: ignore[assignment]  # the chart does not look at it
+    answer = Answer(hand_made_passage(), veering_wind(), question)
+    view.show_answer(answer)
+    view.fit_passage(answer)
+    return answer
+
+
+def settle(view: ChartView, qtbot: QtBot) -> None:
+    qtbot.waitUntil(lambda: view.is_settled, timeout=30_000)
+
+
+def colour_at(view: ChartView, lat: float, lon: float) -> QColor:
+    at = view.viewportTransform().map(point(lat, lon))
+    return view.grab().toImage().pixelColor(QPoint(round(at.x()), round(at.y())))
+
+
+# --- barbs -------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("speed_kn", "counts"),
+    [
+        (0.0, (0, 0, 0)),
+        (2.4, (0, 0, 0)),
+        (2.5, (0, 0, 1)),
+        (10.0, (0, 1, 0)),
+        (15.0, (0, 1, 1)),
+        (47.4, (0, 4, 1)),
+        (50.0, (1, 0, 0)),
+        (65.0, (1, 1, 1)),
+        (118.0, (2, 2, 0)),
+    ],
+)
+def test_feathers_by_the_wmo(speed_kn: float, counts: tuple[int, int, int]) -> None:
+    assert barb_counts(speed_kn) == counts
+
+
+def test_the_shaft_points_to_where_the_wind_comes_from() -> None:
+    shaft = make_barb(2).lines[0]
+    assert shaft[:2] == (0.0, 0.0)
+    assert shaft[3] < 0.0, "north is up, and y goes down"
+
+
+def test_feathers_stand_on_the_side_of_low_pressure() -> None:
+    north, south = make_barb(2, 1).lines[1], make_barb(2, -1).lines[1]
+    assert north[2] > 0.0
+    assert south[2] < 0.0
+
+
+def test_a_calm_is_a_circle_and_a_lone_half_feather_stands_off_the_tip() -> None:
+    assert make_barb(0).calm
+    shaft, half = make_barb(1).lines
+    assert half[1] > shaft[3]
+
+
+@given(st.integers(1, 24))
+def test_a_barb_shows_its_speed(fives: int) -> None:
+    barb = make_barb(fives)
+    long = [line for line in barb.lines[1:] if abs(line[2]) > 6]
+    assert 10 * len(barb.pennants) + 2 * len(long) + (len(barb.lines) - 1 - len(long)) == fives
+
+
+@given(st.floats(0.0, 360.0))
+def test_the_nearest_of_72_directions(direction: float) -> None:
+    assert abs((direction_class(direction) * 5.0 - direction + 180.0) % 360.0 - 180.0) <= 2.5 + 1e-9
+
+
+@given(st.floats(1e-5, 0.4))
+def test_barbs_keep_their_distance_at_every_zoom(scale: float) -> None:
+    assert LEAST_PX - 1e-6 <= spacing_m(scale) * scale <= LEAST_PX * math.sqrt(2.0) + 1e-6
+
+
+# --- graticule, scale, colours ------------------------------------------------------------------------
+
+
+def test_angles_are_degrees_and_minutes() -> None:
+    assert angle_label(57 * 60 + 30, "N", "S") == "57°30′N"
+    assert angle_label(-18 * 60, "E", "W") == "18°W"
+    assert angle_label(0, "E", "W") == "0°"
+
+
+@given(st.floats(1.0, 1e5))
+def test_lines_of_the_graticule_do_not_crowd(pixels_per_degree: float) -> None:
+    step = step_minutes(pixels_per_degree)
+    assert step / 60.0 * pixels_per_degree >= 110.0 or step == 600
+
+
+@given(st.floats(1e-4, 0.2), st.floats(54.0, 65.0))
+def test_the_scale_bar_is_as_long_as_it_says(scale: float, lat: float) -> None:
+    miles, pixels = scale_bar(scale, lat)
+    east = point(lat, 18.0) + QPointF(pixels / scale, 0.0)
+    there = position(east)
+    metres = float(rhumb_distance_m(lat, 18.0, there[0], there[1]))
+    assert metres == pytest.approx(miles * 1852.0, rel=1e-6)
+
+
+def test_wind_colours_are_told_apart_by_lightness_alone() -> None:
+    def lightness(colour: QColor) -> float:
+        channels = [c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in colour.getRgbF()[:3]]
+        luminance = float(np.dot(channels, (0.2126, 0.7152, 0.0722)))
+        return 116.0 * luminance ** (1 / 3) - 16.0 if luminance > 0.008856 else 903.3 * luminance
+
+    steps = -np.diff([lightness(colour) for colour in palette.WIND_COLOURS])
+    assert (steps > 8.0).all()
+
+
+@pytest.mark.parametrize(("tws", "name"), [(4.9, "< 5"), (5.0, "5–10"), (29.9, "25–30"), (30.0, "> 30")])
+def test_the_legend_names_the_class_of_a_wind(tws: float, name: str) -> None:
+    assert palette.wind_class_name(palette.wind_class(tws)) == name
+
+
+# --- land ----------------------------------------------------------------------------------------------
+
+BOX = (-1.0, -2.0, 3.0, 2.0)
+
+
+@given(
+    st.lists(st.floats(0.3, 5.0), min_size=5, max_size=40),
+    st.tuples(st.floats(-2.0, 4.0), st.floats(-3.0, 3.0)),
+)
+def test_a_clipped_ring_covers_what_shapely_says(radii: list[float], centre: tuple[float, float]) -> None:
+    angles = np.linspace(0.0, 2 * np.pi, len(radii), endpoint=False)
+    ring = np.stack((np.cos(angles), np.sin(angles)), axis=1) * np.array(radii)[:, None] + centre
+    clipped = clip_ring(ring, BOX)
+    wanted = shapely.intersection(shapely.Polygon(ring), shapely.box(*BOX)).area
+    x, y = (clipped[:, 0], clipped[:, 1]) if len(clipped) else (np.zeros(1), np.zeros(1))
+    area = abs(float(np.dot(x, np.roll(y, -1)) - np.dot(y, np.roll(x, -1)))) / 2.0
+    assert area == pytest.approx(wanted, abs=1e-6)
+
+
+def test_cells_hold_all_land_once() -> None:
+    cells = LandCells(0)
+
+    def land_within(depth: int, column: int, row: int) -> float:
+        box = cell_box(depth, column, row)
+        area = 0.0
+        for ring in cells.cell(depth, column, row).split():
+            cut = clip_ring(ring, box)
+            x, y = cut[:, 0], cut[:, 1]
+            area += float(np.dot(x, np.roll(y, -1)) - np.dot(y, np.roll(x, -1))) / 2.0
+        return area
+
+    whole = land_within(0, 0, 0)
+    parts = sum(land_within(3, column, row) for column in range(8) for row in range(8))
+    assert parts == pytest.approx(whole, rel=1e-9)
+    assert 0.2 < abs(whole) / (CHARTED.width() * CHARTED.height()) < 0.9
+
+
+@pytest.mark.parametrize("zoom", [1.0, 3.0, 14.0])
+def test_land_is_buff_and_the_sea_is_pale_at_every_zoom(view: ChartView, qtbot: QtBot, zoom: float) -> None:
+    view.zoom(zoom)
+    for lat, lon, colour in ((57.30, 18.30, palette.LAND), (57.0, 19.9, palette.WATER)):
+        view.show_place(lat, lon)
+        settle(view, qtbot)
+        at = [colour_at(view, lat + d, lon + e) for d in (0.0, 0.012) for e in (0.0, 0.012)]
+        assert colour in at, (lat, lon)
+
+
+# --- ports ---------------------------------------------------------------------------------------------
+
+
+@given(
+    st.lists(
+        st.tuples(st.floats(1e6, 3e6), st.floats(-1e7, -7e6)), min_size=1, max_size=60, unique=True
+    )
+)
+def test_ports_of_one_rank_have_room(places: list[tuple[float, float]]) -> None:
+    x, y = [p[0] for p in places], [p[1] for p in places]
+    ranks = rank_by_room(x, y)
+    assert ranks[0] == 0
+    for level in range(16):
+        size = 1_600_000.0 / 2**level
+        cells = [
+            (round(a / size), round(b / size)) for a, b, r in zip(x, y, ranks, strict=True) if r == level
+        ]
+        assert len(cells) == len(set(cells))
+
+
+def test_chosen_ports_are_marked(view: ChartView, qtbot: QtBot) -> None:
+    visby = Port("Visby", "SE", 57.6389, 18.2833)
+    view.choose_ends([visby])
+    view.show_place(visby.lat, visby.lon)
+    settle(view, qtbot)
+    assert colour_at(view, visby.lat, visby.lon) == palette.MAGENTA
+
+
+# --- moving --------------------------------------------------------------------------------------------
+
+
+def wheel(view: ChartView, at: QPointF, clicks: int) -> None:
+    event = QWheelEvent(
+        at,
+        QPointF(view.viewport().mapToGlobal(at.toPoint())),
+        QPoint(),
+        QPoint(0, 120 * clicks),
+        Qt.MouseButton.NoButton,
+        Qt.KeyboardModifier.NoModifier,
+        Qt.ScrollPhase.NoScrollPhase,
+        False,
+    )
+    view.wheelEvent(event)
+
+
+@pytest.mark.parametrize("clicks", [1, 4, 9])
+def test_the_wheel_zooms_at_the_pointer(view: ChartView, clicks: int) -> None:
+    view.show_place(57.0, 19.0)
+    at = QPointF(500.0, 220.0)
+    before = position(view.viewportTransform().inverted()[0].map(at))
+    scale = view.transform().m11()
+    wheel(view, at, clicks)
+    after = view.viewportTransform().map(point(*before))
+    assert view.transform().m11() > scale
+    assert math.hypot(after.x() - at.x(), after.y() - at.y()) <= 1.5
+
+
+def test_zoom_ends_somewhere(view: ChartView) -> None:
+    for _ in range(60):
+        view.zoom_in()
+    near = view.transform().m11()
+    for _ in range(120):
+        view.zoom_out()
+    assert near <= 0.4 + 1e-9
+    assert view.transform().m11() > 0.0
+    assert view.transform().m11() < near
+
+
+def test_keys_move_the_chart(view: ChartView) -> None:
+    view.show_place(58.0, 20.0)
+    view.setFocus()
+    scale = view.transform().m11()
+    before = view.viewportTransform().map(point(58.0, 20.0))
+    QTest.keyClick(view, Qt.Key.Key_Right)
+    moved = view.viewportTransform().map(point(58.0, 20.0))
+    assert moved.x() - before.x() == pytest.approx(-60.0, abs=1.0)
+    QTest.keyClick(view, Qt.Key.Key_Plus)
+    assert view.transform().m11() > scale
+    QTest.keyClick(view, Qt.Key.Key_Minus)
+    assert view.transform().m11() == pytest.approx(scale)
+
+
+def test_dragging_moves_the_chart_with_the_hand(view: ChartView) -> None:
+    view.show_place(58.0, 20.0)
+    before = view.viewportTransform().map(point(58.0, 20.0))
+    QTest.mousePress(view.viewport(), Qt.MouseButton.LeftButton, pos=QPoint(400, 300))
+    QTest.mouseMove(view.viewport(), QPoint(430, 290))
+    QTest.mouseMove(view.viewport(), QPoint(460, 280))
+    QTest.mouseRelease(view.viewport(), Qt.MouseButton.LeftButton, pos=QPoint(460, 280))
+    after = view.viewportTransform().map(point(58.0, 20.0))
+    assert (after - before).toPoint() == QPoint(60, -20)
+
+
+def test_the_whole_passage_fits(view: ChartView, answer: Answer) -> None:
+    inside = QRectF(view.viewport().rect())
+    for waypoint in answer.passage.waypoints:
+        assert inside.contains(view.viewportTransform().map(point(waypoint.lat, waypoint.lon)))
+
+
+def test_it_still_fits_after_resizing(view: ChartView, answer: Answer) -> None:
+    view.resize(420, 380)
+    test_the_whole_passage_fits(view, answer)
+
+
+# --- route ---------------------------------------------------------------------------------------------
+
+
+def test_a_click_on_the_route_picks_its_leg(view: ChartView, answer: Answer, qtbot: QtBot) -> None:
+    track = answer.passage.track
+    middle = int(np.flatnonzero(track.leg == 3)[20])
+    at = view.viewportTransform().map(point(float(track.lat[middle]), float(track.lon[middle])))
+    with qtbot.waitSignal(view.leg_picked) as signal:
+        QTest.mouseClick(view.viewport(), Qt.MouseButton.LeftButton, pos=at.toPoint())
+    assert signal.args == [3]
+
+
+def test_a_click_beside_the_route_picks_none(view: ChartView, answer: Answer, qtbot: QtBot) -> None:
+    with qtbot.waitSignal(view.leg_picked) as signal:
+        QTest.mouseClick(view.viewport(), Qt.MouseButton.LeftButton, pos=QPoint(3, 3))
+    assert signal.args == [-1]
+
+
+def test_the_route_has_the_colour_of_its_wind(view: ChartView, answer: Answer, qtbot: QtBot) -> None:
+    settle(view, qtbot)
+    track = answer.passage.track
+    number = int(np.flatnonzero(track.leg == 2)[30])
+    wanted = palette.WIND_COLOURS[palette.wind_class(float(track.tws_kn[number]))]
+    assert colour_at(view, float(track.lat[number]), float(track.lon[number])) == wanted
+
+
+def test_the_boat_is_where_she_is_at_the_time(view: ChartView, answer: Answer, qtbot: QtBot) -> None:
+    settle(view, qtbot)
+    track = answer.passage.track
+    number = int(np.flatnonzero(track.leg == 4)[25])
+    place = float(track.lat[number]), float(track.lon[number])
+    assert colour_at(view, *place) not in {palette.CASING, palette.MAGENTA}
+    view.show_time(answer, float(track.time[number]))
+    assert colour_at(view, *place) in {palette.CASING, palette.MAGENTA}
+
+
+def test_trouble_is_marked(view: ChartView, qtbot: QtBot) -> None:
+    view.show_place(57.0, 19.9)
+    settle(view, qtbot)
+    view.trouble.mark((57.0, 19.9))
+    assert colour_at(view, 57.0, 19.9) == palette.TROUBLE
+    view.trouble.mark(None)
+    assert colour_at(view, 57.0, 19.9) == palette.WATER
+
+
+def test_the_lattice_darkens_the_water(view: ChartView, qtbot: QtBot) -> None:
+    view.fit(rectangle(56.9, 19.6, 57.1, 20.2))
+    settle(view, qtbot)
+    assert colour_at(view, 57.0, 19.9) == palette.WATER
+    view.coast.show_lattice(np.array([[57.0, 19.5, 57.0, 20.3]], dtype=np.float32))
+    view.refresh_coast()
+    settle(view, qtbot)
+    shades = {colour_at(view, 57.0 + d / 2000, 19.9).lightness() for d in range(-3, 4)}
+    assert min(shades) < palette.WATER.lightness()
