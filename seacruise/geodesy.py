@@ -37,7 +37,7 @@ def from_mercator(x: ArrayLike, y: ArrayLike) -> tuple[Array, Array]:
 
 
 def scale(lat: ArrayLike) -> Array:
-    """True metres per metre of the Mercator plane at a latitude [degrees]."""
+    """Give the true metres per metre of the Mercator plane at a latitude [degrees]."""
     return np.asarray(np.cos(np.radians(np.asarray(lat, dtype=np.float64))))
 
 

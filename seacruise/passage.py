@@ -6,15 +6,27 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from datetime import UTC, datetime, timedelta
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from seacruise.errors import InputError, NoPassageError
 from seacruise.geodesy import angle_between_deg, format_position, great_circle_m
+from seacruise.model import (
+    SCHEMA,
+    Checks,
+    Options,
+    Passage,
+    PassageRequest,
+    Place,
+    Preset,
+    SearchReport,
+    Track,
+    Waypoint,
+)
 from seacruise.ports import Port
 from seacruise.progress import Job
 from seacruise.settings import Settings
@@ -26,208 +38,22 @@ if TYPE_CHECKING:
     from seacruise.routing.refine import Line
     from seacruise.routing.resail import Resailed
     from seacruise.sea import Sea, Snap
-    from seacruise.weather.wind import Forecast, Wind
-    from seacruise.yacht.polar import Polar
+    from seacruise.weather.wind import Wind
 
-SCHEMA = "seacruise.passage/1"
-
-Preset = Literal["precise", "classic"]
-
-
-@dataclass(frozen=True, slots=True)
-class Options:
-    """How to search; the defaults are the ``precise`` preset.
-
-    Attributes
-    ----------
-    directions
-        Courses of the first search (12, 24, 36, 60, 72, 108 or 132); ``None`` lets the preset choose.
-    spacing_nm
-        Distance of neighbouring lattice vertices [nm]; ``None`` lets the preset choose.
-    area
-        ``"ellipse"`` (provably large enough) or ``"rectangle"`` (R1: half a degree to each side).
-    refine
-        Search again in a corridor with more courses and finer spacing, then relax the waypoints.
-    tacking
-        Let the yacht make good the convex hull of her polar: beats and runs become passages.
-    percent_of_polar
-        Share of the polar's speed that this crew reaches [%].
-    motor_below_kn, motor_speed_kn
-        Start the engine when she would sail slower than this [kn], and the speed it gives [kn].
-    fuel_rate_l_h
-        Consumption under engine [l/h].
-    max_wind_kn
-        Never sail an edge on which the true wind exceeds this [kn].
-    """
-
-    preset: Preset = "precise"
-    directions: int | None = None
-    spacing_nm: float | None = None
-    area: Literal["ellipse", "rectangle"] | None = None
-    refine: bool = True
-    tacking: bool = True
-    percent_of_polar: float = 100.0
-    motor_below_kn: float | None = None
-    motor_speed_kn: float = 5.0
-    fuel_rate_l_h: float = 2.5
-    max_wind_kn: float | None = None
-
-
-@dataclass(frozen=True, slots=True)
-class PassageRequest:
-    """What a sailor asks.
-
-    Attributes
-    ----------
-    departure
-        Timezone-aware; ``None`` means the next full hour that the forecast covers.
-    """
-
-    start: Port
-    end: Port
-    yacht: Polar
-    wind: Wind
-    departure: datetime | None = None
-    options: Options = field(default_factory=Options)
-
-
-@dataclass(frozen=True, slots=True)
-class Place:
-    """An end of a passage: the port that was asked for and the water from which one can sail.
-
-    Attributes
-    ----------
-    lat, lon
-        The snapped position [degrees], on water connected with the open sea.
-    snapped_nm
-        How far that is from the port's own position [nm].
-    """
-
-    name: str
-    lat: float
-    lon: float
-    port_lat: float
-    port_lon: float
-    snapped_nm: float
-
-
-@dataclass(frozen=True, slots=True)
-class Waypoint:
-    """A point of the passage, and the leg that begins there (``None`` throughout at the end).
-
-    Attributes
-    ----------
-    time
-        Timezone-aware UTC.
-    course_deg
-        Degrees true.
-    twa_deg
-        True wind angle at the begin of the leg, folded to 0-180; ``tack`` names the side.
-    tack
-        ``"port"`` or ``"starboard"``: the side the wind comes from; ``None`` under engine.
-    """
-
-    lat: float
-    lon: float
-    time: datetime
-    course_deg: float | None = None
-    leg_nm: float | None = None
-    boat_speed_kn: float | None = None
-    tws_kn: float | None = None
-    twd_deg: float | None = None
-    twa_deg: float | None = None
-    motor: bool | None = None
-    tack: Literal["port", "starboard"] | None = None
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Track:
-    """The passage as it was re-sailed, a sample every six minutes and at each waypoint; shapes ``(n,)``.
-
-    Attributes
-    ----------
-    time
-        Seconds since 1970-01-01T00:00Z.
-    leg
-        Index of the waypoint at which the present leg began.
-    """
-
-    time: NDArray[np.float64]
-    lat: NDArray[np.float64]
-    lon: NDArray[np.float64]
-    course_deg: NDArray[np.float64]
-    boat_speed_kn: NDArray[np.float64]
-    tws_kn: NDArray[np.float64]
-    twd_deg: NDArray[np.float64]
-    twa_deg: NDArray[np.float64]
-    motor: NDArray[np.bool_]
-    leg: NDArray[np.int64]
-
-
-@dataclass(frozen=True, slots=True)
-class Checks:
-    """What the finished passage was held against; see `seacruise.routing.resail`."""
-
-    resailed_h: float
-    land_free: bool
-    zones_free: bool
-    within_limits: bool
-
-
-@dataclass(frozen=True, slots=True)
-class SearchReport:
-    """How the passage was found: size of the search and seconds per stage."""
-
-    directions: int
-    spacing_nm: float
-    vertices: int
-    edges: int
-    settled: int
-    seconds: dict[str, float]
-
-
-@dataclass(frozen=True, slots=True)
-class Passage:
-    """The answer: a passage that was sailed again, leg by leg, before anyone is shown it.
-
-    Times are UTC. ``notices`` are sentences a sailor must read with it (snapped ports, held wind,
-    practice weather); ``lattice_edges`` are the edges searched first, ``(n, 4)`` as lat1, lon1, lat2,
-    lon2, for drawing.
-    """
-
-    start: Place
-    end: Place
-    yacht: str
-    departure: datetime
-    arrival: datetime
-    distance_nm: float
-    direct_distance_nm: float
-    waypoints: tuple[Waypoint, ...]
-    tacks: int
-    gybes: int
-    course_changes: int
-    max_tws_kn: float
-    motor_h: float
-    fuel_l: float
-    beyond_forecast_h: float
-    forecast: Forecast
-    lower_bound_h: float
-    checks: Checks
-    search: SearchReport
-    track: Track
-    notices: tuple[str, ...] = ()
-    lattice_edges: NDArray[np.float32] | None = field(default=None, repr=False, compare=False)
-
-    @property
-    def duration_h(self) -> float:
-        """Hours from departure to arrival."""
-        return (self.arrival - self.departure).total_seconds() / SECONDS_PER_HOUR
-
-    @property
-    def mean_speed_kn(self) -> float:
-        """Distance sailed by the hours it took [kn]."""
-        return self.distance_nm / self.duration_h if self.duration_h > 0 else 0.0
-
+__all__ = [
+    "SCHEMA",
+    "Checks",
+    "Options",
+    "Passage",
+    "PassageRequest",
+    "Place",
+    "Preset",
+    "SearchReport",
+    "Track",
+    "Waypoint",
+    "plan",
+    "sea_between",
+]
 
 SAME_PLACE_NM = 0.1
 """Two ends nearer than this are the same port [nm]."""
@@ -333,9 +159,9 @@ def _departure(request: PassageRequest) -> datetime:
     departure = departure.astimezone(UTC)
     if not forecast.valid_from <= departure <= forecast.valid_to:
         raise NoPassageError(
-            f"The departure {departure:%Y-%m-%d %H:%M} UTC is outside the forecast ({forecast.source}), which "
-            f"covers {forecast.valid_from:%Y-%m-%d %H:%M} to {forecast.valid_to:%Y-%m-%d %H:%M} UTC; choose a "
-            "time within it.",
+            f"The departure {departure:%Y-%m-%d %H:%M} UTC is outside the forecast ({forecast.source}), "
+            f"which covers {forecast.valid_from:%Y-%m-%d %H:%M} to {forecast.valid_to:%Y-%m-%d %H:%M} UTC; "
+            "choose a time within it.",
             reason="outside-forecast",
         )
     return departure
@@ -505,14 +331,14 @@ class _Answer:
                 )
         if self.beyond_s > 60.0:
             said.append(
-                f"The last {math.ceil(self.beyond_s / SECONDS_PER_HOUR)} h are sailed in the last known wind, "
-                "held beyond the end of the forecast."
+                f"The last {math.ceil(self.beyond_s / SECONDS_PER_HOUR)} h are sailed in the last known "
+                "wind, held beyond the end of the forecast."
             )
         narrow = float(legs[self.course.short_tacked].sum())
         if narrow > TELL_SNAP_NM:
             said.append(
-                f"{narrow:.1f} nm are a beat or run in water too narrow to plan the boards; they are reckoned "
-                "at the speed made good."
+                f"{narrow:.1f} nm are a beat or run in water too narrow to plan the boards; they are "
+                "reckoned at the speed made good."
             )
         return tuple(said)
 

@@ -12,7 +12,8 @@ from seacruise.errors import CancelledError
 class Report(Protocol):
     """Receives progress: a stage, how much of it is done, and a sentence for the sailor."""
 
-    def __call__(self, stage: str, fraction: float | None, message: str) -> None: ...
+    def __call__(self, stage: str, fraction: float | None, message: str) -> None:
+        """Take note of a stage, the part of it that is done, and a sentence."""
 
 
 def silent(stage: str, fraction: float | None, message: str) -> None:

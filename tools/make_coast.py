@@ -25,6 +25,7 @@ import shapely
 UNITS_PER_DEGREE = 1_000_000
 CHART_TOLERANCES_DEG = (0.02, 0.006, 0.0)
 CHART_SMALLEST_DEG2 = (1e-3, 6e-5, 0.0)
+CHART_SMALLEST_LAKE_DEG2 = (5e-2, 1e-2, 1e-3)
 
 
 def packed(polygons: np.ndarray) -> dict[str, np.ndarray]:
@@ -38,15 +39,17 @@ def packed(polygons: np.ndarray) -> dict[str, np.ndarray]:
     }
 
 
-def chart_polygons(land: np.ndarray, tolerance: float, smallest: float) -> np.ndarray:
-    """Thin joined land for drawing: Douglas-Peucker, small islands and lakes left out."""
+def chart_polygons(land: np.ndarray, tolerance: float, smallest: float, smallest_lake: float) -> np.ndarray:
+    """Thin joined land for drawing: Douglas-Peucker, small islands and (larger) lakes left out.
+
+    A yacht on the Baltic steers by islands, never by lakes: those are there to look familiar.
+    """
     kept = land[shapely.area(land) >= smallest]
     if tolerance > 0:
         kept = shapely.simplify(kept, tolerance)
-    parts = shapely.get_parts(kept)
     out = []
-    for polygon in parts:
-        holes = [ring for ring in polygon.interiors if shapely.area(shapely.polygons(ring)) >= smallest]
+    for polygon in shapely.get_parts(kept):
+        holes = [ring for ring in polygon.interiors if shapely.area(shapely.polygons(ring)) >= smallest_lake]
         out.append(shapely.Polygon(polygon.exterior, holes))
     return np.array([p for p in out if not p.is_empty], dtype=object)
 

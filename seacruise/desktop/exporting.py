@@ -6,8 +6,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, Qt, Signal
-from PySide6.QtGui import QImage
+from PySide6.QtCore import QByteArray, QObject, Qt, Signal
+from PySide6.QtGui import QImage, QImageWriter
 from PySide6.QtWidgets import QFileDialog, QWidget
 
 from seacruise.desktop.jobs import JobRunner
@@ -27,7 +27,7 @@ def save_image(image: QImage, path: Path) -> None:
     """
     path.parent.mkdir(parents=True, exist_ok=True)
     part = path.with_name(f".{path.name}.part")
-    if not image.save(str(part), b"PNG"):
+    if not QImageWriter(str(part), QByteArray(b"png")).write(image):
         raise InputError(f"{path} cannot be written; choose another folder.")
     part.replace(path)
 

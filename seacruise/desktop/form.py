@@ -364,5 +364,12 @@ class PassageForm(QFrame):
 
     def set_running(self, *, running: bool) -> None:
         """Tell that a calculation runs, or none does. Changing the fields meanwhile disturbs nothing."""
-        self.calculate_button.setEnabled(not running)
-        self.cancel_button.setEnabled(running)
+        before, after = self.calculate_button, self.cancel_button
+        if not running:
+            before, after = after, before
+        had_focus = before.hasFocus()
+        after.setEnabled(True)
+        before.setEnabled(False)
+        if had_focus:
+            # Qt would pass it on to whatever comes next.
+            after.setFocus()

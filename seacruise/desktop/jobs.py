@@ -34,20 +34,22 @@ class _Mailbox:
         self.generation = generation
         self._wake = wake
         self._lock = threading.Lock()
-        self._progress: tuple[str, float | None, str] | None = None
+        self._progress: list[tuple[str, float | None, str]] = []
 
     def report(self, stage: str, fraction: float | None, message: str) -> None:
-        """Keep the newest report; a loop that reports ten thousand times wakes the window once."""
+        """Keep the newest report of each stage; ten thousand of them wake the window once."""
         with self._lock:
-            awake = self._progress is not None
-            self._progress = (stage, fraction, message)
+            awake = bool(self._progress)
+            if awake and self._progress[-1][0] == stage:
+                self._progress.pop()
+            self._progress.append((stage, fraction, message))
         if not awake:
             self.post("progress", None)
 
-    def take_progress(self) -> tuple[str, float | None, str] | None:
-        """Take the newest report out."""
+    def take_progress(self) -> list[tuple[str, float | None, str]]:
+        """Take the reports out, in their order."""
         with self._lock:
-            progress, self._progress = self._progress, None
+            progress, self._progress = self._progress, []
         return progress
 
     def post(self, kind: str, value: object) -> None:
@@ -122,8 +124,8 @@ class JobRunner(QObject):
         if self._running is None or generation != self._running[1].generation:
             return
         if kind == "progress":
-            if (progress := self._running[1].take_progress()) is not None:
-                self.progressed.emit(generation, *progress)
+            for report in self._running[1].take_progress():
+                self.progressed.emit(generation, *report)
             return
         self._running = None
         if kind == "result":

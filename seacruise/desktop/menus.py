@@ -37,6 +37,8 @@ class Menus(QObject):
     ----------
     exports
         Actions that need a passage.
+    cancel
+        Enabled while a calculation runs; else Esc is for whoever has the focus.
     layers
         Switches of the layers ``wind``, ``ports``, ``lattice`` and of the table ``legs``.
     """
@@ -65,7 +67,7 @@ class Menus(QObject):
         _action(view_menu, self.tr("Zoom &out"), commands.zoom_out, "Ctrl+-")
         _action(view_menu, self.tr("Whole pa&ssage"), commands.fit, "Ctrl+0")
         _action(passage_menu, self.tr("&Calculate"), commands.calculate, "Ctrl+Return", "Ctrl+Enter")
-        _action(passage_menu, self.tr("Ca&ncel"), commands.cancel, "Esc")
+        self.cancel = _action(passage_menu, self.tr("Ca&ncel"), commands.cancel, "Esc")
         _action(passage_menu, self.tr("&Swap start and end"), commands.swap, "Ctrl+R")
         _action(help_menu, self.tr("&About SeaCruise"), commands.about, "F1")
 

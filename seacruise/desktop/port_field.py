@@ -14,6 +14,11 @@ from seacruise.ports import Port, find_port, search_ports
 _OFFERED = 12
 
 
+def same_name(typed: str, name: str) -> bool:
+    """Whether a name is typed to its end, in whatever spelling."""
+    return len(typed.strip()) >= len(name)
+
+
 class PortField(QLineEdit):
     """Line edit that knows the ports; ``port_changed()`` when it names another one, or none."""
 
@@ -71,10 +76,18 @@ class PortField(QLineEdit):
             self.style().polish(self)
 
     def _offer(self, text: str) -> None:
+        self._resolve()
         names = [port.name for port in search_ports(text, self._ports, _OFFERED)] if text.strip() else []
         self._model.setStringList(names)
-        if names:
+        # An open popup takes the next click for itself; once nothing is left to choose it only stands in the way.
+        decided = self._port is not None and names == [self._port.name] and same_name(text, self._port.name)
+        if names and not decided:
             self._completer.complete()
+            return
+        if (popup := self._completer.popup()) is not None:
+            popup.hide()
+        if decided:
+            self._complete_name()
 
     def _take(self, name: str) -> None:
         self.setText(name)

@@ -263,6 +263,7 @@ class MainWindow(QMainWindow):
         self._show_side()
         running = state.phase is Phase.COMPUTING
         self.form.set_running(running=running)
+        self.menus.cancel.setEnabled(running)
         answered = state.answer is not None
         for action in self.menus.exports:
             action.setEnabled(answered)

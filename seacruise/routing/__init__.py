@@ -1,0 +1,1 @@
+"""Which way is fastest: lattice, search, refinement, and the passage sailed again."""

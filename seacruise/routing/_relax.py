@@ -61,7 +61,7 @@ def _move(x, y, times, count, step, piece, water, frame, wind, speeds):
 
 @inlined
 def _drop(x, y, times, count, slack, piece, water, frame, wind, speeds):
-    """Leave out waypoints where sailing straight on costs at most ``slack`` seconds; returns the new count."""
+    """Leave out waypoints where sailing straight on costs at most ``slack`` seconds; give their count."""
     k = 1
     while k < count - 1:
         there = sail_rhumb(times[k], x[k], y[k], x[k + 1], y[k + 1], piece, wind, speeds)

@@ -75,7 +75,7 @@ def lower_bound_s(
 
 
 def _refined(axis: Array) -> Array:
-    """A grid's axis with three points between two, so that hardly a peak of bilinear wind is missed."""
+    """Put three points between two of an axis, so that hardly a peak of bilinear wind is missed."""
     if axis.size == 1:
         return axis
     return np.asarray(np.interp(np.arange(0.0, axis.size - 1 + 1e-9, 0.25), np.arange(axis.size), axis))
@@ -111,4 +111,4 @@ def _look_up(closing: Array, u: Array, v: Array, bearing: Array) -> Array:
     angle = np.abs((np.arctan2(-u, -v) - bearing + np.pi) % (2 * np.pi) - np.pi)
     column = angle / np.pi * (_ANGLES - 1)
     low = np.minimum(column.astype(int), _ANGLES - 2)
-    return np.maximum(closing[row, low], closing[row, low + 1])
+    return np.asarray(np.maximum(closing[row, low], closing[row, low + 1]))

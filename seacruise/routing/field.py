@@ -38,13 +38,14 @@ class WindField:
     ----------
     horizon
         Seconds since 1970 at which the forecast ends; the last slice, from there on, holds for ever.
-    strongest
-        Greatest wind speed anywhere in the field [m/s].
+    strongest, mean
+        Greatest and mean wind speed in the field [m/s].
     """
 
     arrays: tuple[Any, ...]
     horizon: float
     strongest: float
+    mean: float
 
 
 def wind_field(wind: Wind, *, slice_s: float = FINE_SLICE_S, since: float | None = None) -> WindField:
@@ -73,9 +74,9 @@ def wind_field(wind: Wind, *, slice_s: float = FINE_SLICE_S, since: float | None
         u, v = np.repeat(u, 2, axis=2), np.repeat(v, 2, axis=2)
     per_lat = 1.0 / float(wind.lat[1] - wind.lat[0]) if wind.lat.size > 1 else 0.0
     per_lon = 1.0 / float(wind.lon[1] - wind.lon[0]) if wind.lon.size > 1 else 0.0
-    strongest = float(np.sqrt((u.astype(np.float64) ** 2 + v.astype(np.float64) ** 2).max()))
+    tws = np.hypot(u, v)
     arrays = (u, v, begin, step, float(wind.lat[0]), per_lat, float(wind.lon[0]), per_lon)
-    return WindField(arrays, end, strongest)
+    return WindField(arrays, end, float(tws.max()), float(tws.mean()))
 
 
 def _at_times(wind: Wind, times: NDArray[np.float64]) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
@@ -84,10 +85,12 @@ def _at_times(wind: Wind, times: NDArray[np.float64]) -> tuple[NDArray[np.float3
         return np.broadcast_to(wind.u, shape).copy(), np.broadcast_to(wind.v, shape).copy()
     after = np.clip(np.searchsorted(wind.time, times, side="right"), 1, wind.time.size - 1)
     share = (times - wind.time[after - 1]) / (wind.time[after] - wind.time[after - 1])
-    share = share.astype(np.float32)[:, None, None]
-    return tuple(
-        np.ascontiguousarray(c[after - 1] * (1 - share) + c[after] * share) for c in (wind.u, wind.v)
-    )  # type: ignore[return-value]
+    part = share.astype(np.float32)[:, None, None]
+
+    def between(component: NDArray[np.float32]) -> NDArray[np.float32]:
+        return np.ascontiguousarray(component[after - 1] * (1 - part) + component[after] * part)
+
+    return between(wind.u), between(wind.v)
 
 
 @dataclass(frozen=True, slots=True)
@@ -159,7 +162,7 @@ def handling_in_knots(
     motor_speed_kn: float,
     max_wind_kn: float | None,
 ) -> Handling:
-    """`Handling` from the figures a sailor gives."""
+    """Make `Handling` of the figures a sailor gives."""
     return Handling(
         tacking=tacking,
         share=percent / 100.0,

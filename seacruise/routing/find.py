@@ -45,7 +45,8 @@ OPEN_WATER_NM: Final = 3.5
 
 MOST_DETAIL: Final = 2
 
-_FIRST_REACH: Final = 1.65
+_GUESSED_PACE: Final = 0.6
+_FIRST_REACH: Final = 1.3
 _LAST_REACH: Final = 4.0
 _KEPT: Final = 8
 
@@ -190,11 +191,14 @@ class Finder:
     def _precise(
         self, asked: Question, waters: Waters, coarse: WindField, job: Job, ledger: Ledger
     ) -> tuple[Line | None, Lattice]:
-        """Search the area; widen it until nothing outside it can be faster, and refine it until it is open."""
+        """Search the area; widen it until nothing outside can be faster, refine it until it is open."""
         direct = asked.direct_m
         ledger.directions = asked.how.directions or COURSES
         ledger.spacing_nm = asked.how.spacing_nm or min(SPACING_NM, max(0.5, direct / METRES_PER_NM / 40))
-        reach = max(direct * _FIRST_REACH, direct + 20 * METRES_PER_NM)
+        # A guess of the duration spares most passages a second, wider search; the loop does not trust it.
+        pace = _GUESSED_PACE * waters.speeds.fastest(waters.field.mean)
+        guessed = _reach_needed(asked, waters, direct / pace) if pace > 0.0 else 0.0
+        reach = min(max(guessed, direct * _FIRST_REACH, direct + 20 * METRES_PER_NM), direct * _LAST_REACH)
         detail = 0
         while True:
             grid = self._lattice(asked, reach, detail, job, ledger)
@@ -264,32 +268,34 @@ def _reach_needed(asked: Question, waters: Waters, seconds: float) -> float:
     lat = south + np.arange(u.shape[1]) / per_lat if per_lat else np.full(u.shape[1], south)
     lon = west + np.arange(u.shape[2]) / per_lon if per_lon else np.full(u.shape[2], west)
     lat, lon = np.meshgrid(lat, lon, indexing="ij")
-    at_most = waters.speeds.fastest(waters.field.strongest) * seconds
+    around = great_circle_m(lat, lon, *asked.start) + great_circle_m(lat, lon, *asked.end)
     cell = (1.0 / per_lat if per_lat else 0.0) * 111_200.0
-    inside = (
-        great_circle_m(lat, lon, *asked.start) + great_circle_m(lat, lon, *asked.end) <= at_most + 2 * cell
-    )
-    reach, t = 0.0, asked.departure
-    while t < asked.departure + seconds:
-        k = min(int((t - begin) / step), u.shape[0] - 1)
-        until = min(begin + (k + 1) * step if k < u.shape[0] - 1 else math.inf, asked.departure + seconds)
-        strongest = float(np.hypot(u[k][inside], v[k][inside]).max(initial=0.0))
-        reach += waters.speeds.fastest(strongest) * (until - t)
-        t = until
+    reach = waters.speeds.fastest(waters.field.strongest) * seconds
+    # Winds that are too far away to be met count for nothing, which makes the reach smaller: once more.
+    for _ in range(3):
+        inside = around <= reach + 2 * cell
+        reach, t = 0.0, asked.departure
+        while t < asked.departure + seconds:
+            k = min(int((t - begin) / step), u.shape[0] - 1)
+            until = min(begin + (k + 1) * step if k < u.shape[0] - 1 else math.inf, asked.departure + seconds)
+            strongest = float(np.hypot(u[k][inside], v[k][inside]).max(initial=0.0))
+            reach += waters.speeds.fastest(strongest) * (until - t)
+            t = until
     return reach
 
 
 def _classic(asked: Question, job: Job, ledger: Ledger) -> tuple[Line | None, Lattice]:
     """R1's search; where R1's own lattice is cut off from a port, it is refined at the shore and ports."""
     ledger.directions, ledger.spacing_nm = 12, asked.how.spacing_nm or classic.SPACING_NM
-    levels = lattices.NO_LEVELS
-    for detail in range(MOST_DETAIL + 2):
-        job.report("lattice", None, "Building the lattice")
-        grid = classic.lattice(asked.sea, asked.start, asked.end, spacing_nm=ledger.spacing_nm, levels=levels)
-        ledger.lap("lattice")
-        if connected(grid):
-            break
-        levels = approach_levels(asked, ledger.spacing_nm, detail)
+    job.report("lattice", None, "Building the lattice")
+    spacing = ledger.spacing_nm
+    grid = classic.lattice(asked.sea, asked.start, asked.end, spacing_nm=spacing)
+    detail = 0
+    while not connected(grid) and detail <= MOST_DETAIL:
+        levels = approach_levels(asked, spacing, detail)
+        grid = classic.lattice(asked.sea, asked.start, asked.end, spacing_nm=spacing, levels=levels)
+        detail += 1
+    ledger.lap("lattice")
     job.check()
     job.report("search", None, f"Searching {grid.vertices:,} vertices")
     found = classic.search(grid, asked.wind, asked.polar, asked.how.handling, asked.departure)
@@ -305,8 +311,8 @@ def _why_not(asked: Question, grid: Lattice, wind: WindField) -> NoPassageError:
     """Find out why nothing was found: take the obstacles away one by one."""
     if not connected(grid):
         return NoPassageError(
-            "There is no way by water between the two ports in the area searched; choose other ports, or check "
-            "that both lie on the same sea.",
+            "There is no way by water between the two ports in the area searched; choose other ports, or "
+            "check that both lie on the same sea.",
             reason="no-water-path",
         )
 
@@ -323,8 +329,8 @@ def _why_not(asked: Question, grid: Lattice, wind: WindField) -> NoPassageError:
         )
     if not handling.tacking and passable(replace(handling, tacking=True)):
         return NoPassageError(
-            "Every way leads at some time through the yacht's dead angle, and tacking is not allowed; allow it "
-            "(the precise preset does) or leave at another time.",
+            "Every way leads at some time through the yacht's dead angle, and tacking is not allowed; allow "
+            "it (the precise preset does) or leave at another time.",
             reason="dead-angle",
         )
     return NoPassageError(

@@ -264,13 +264,15 @@ class _Grower:
                 rows, columns = np.nonzero(marked)
                 marked[rows, columns] = _inside_rectangle(area, *self._plane(patch, side, rows, columns))
         marked[:_PAD], marked[-_PAD:], marked[:, :_PAD], marked[:, -_PAD:] = False, False, False, False
-        return np.nonzero(marked)
+        rows, columns = np.nonzero(marked)
+        return rows, columns
 
     def _plane(
         self, patch: _Patch, side: float, rows: NDArray[np.intp], columns: NDArray[np.intp]
     ) -> tuple[Array, Array]:
         i, j = columns + patch.column, rows + patch.row
-        return self.start[0] + side * (i + j / 2.0), self.start[1] + side * stencil.ROW_HEIGHT * j
+        x = self.start[0] + side * (i + j / 2.0)
+        return x, np.asarray(self.start[1] + side * stencil.ROW_HEIGHT * j, dtype=np.float64)
 
     def _wet(self, x: Array, y: Array, refined: float | None) -> NDArray[np.bool_]:
         """Which points are water; for a refined level of that spacing, within two sides of the shore."""
@@ -342,7 +344,7 @@ class _Grower:
         near = near[away[near] > 1e-6]
         here = np.full(near.size, x[end]), np.full(near.size, y[end])
         free = self.sea.clear(np.stack([*here, x[near], y[near]], axis=1))
-        return near[free].astype(np.int32)
+        return np.asarray(near[free], dtype=np.int32)
 
 
 def _too_fine() -> InputError:

@@ -31,10 +31,14 @@ PAIR_S: Final = 3 * 3600.0
 SHORTEST_PAIR_S: Final = 360.0
 """In narrow water boards get shorter, but a pair never takes less than this [s]."""
 
-SAME_COURSE_DEG: Final = 0.05
+SHORTEST_BOARD_S: Final = 900.0
+"""In open water a board shorter than this is put off and joined to the next one [s]."""
 
-GAIN: Final = 1.002
-"""A leg is tacked where that is at least 0.2 % faster than sailing it straight."""
+SAME_COURSE_DEG: Final = 1.0
+"""Courses that differ by less are one leg to a helmsman."""
+
+GAIN: Final = 1.005
+"""A leg is tacked where that is at least 0.5 % faster than sailing it straight."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -62,14 +66,15 @@ def straight_legs(line: Line) -> Course:
 def sail_boards(asked: Question, line: Line) -> Course:
     """Replace each leg that is sailed on the hull by boards on the two headings of the hull."""
     builder = _Builder(asked.sea, (float(line.x[0]), float(line.y[0])))
-    for piece in _pieces(asked, line):
-        builder.add(piece)
+    pieces = _pieces(asked, line)
+    for piece, after in zip(pieces, [*pieces[1:], None], strict=True):
+        builder.add(piece, put_off=after is not None and after.gain >= GAIN)
     return merge_straight(builder.course(), asked.sea)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Piece:
-    """Part of a leg: from a to b ``(2,)`` [m of the plane] in some seconds, ``gain`` times as fast on the hull.
+    """Part of a leg, a to b ``(2,)`` [m of the plane] in some seconds, ``gain`` times as fast on the hull.
 
     ``headings`` ``(2, 2)`` holds the direction of each heading in a column.
     """
@@ -120,33 +125,60 @@ class _Builder:
         points = np.array(self.corners)
         return Course(points[:, 0], points[:, 1], np.array(self.short, dtype=bool))
 
-    def add(self, piece: _Piece) -> None:
-        """Sail a piece: straight, on boards, or - where there is no room - halves of it on their own."""
-        boards = None
-        if piece.gain >= GAIN:
-            legs = np.linalg.solve(piece.headings, piece.b - piece.a)
-            if legs.min() > 0.0:
-                boards = self._boards(piece, piece.headings * legs)
-                if boards is None and piece.seconds > 2 * SHORTEST_PAIR_S:
-                    middle = (piece.a + piece.b) / 2
-                    self.add(replace(piece, b=middle, seconds=piece.seconds / 2))
-                    self.add(replace(piece, a=middle, seconds=piece.seconds / 2))
-                    return
-        short = piece.gain >= GAIN and boards is None
-        points = piece.b[None, :] if boards is None else boards
+    def add(self, piece: _Piece, *, put_off: bool) -> None:
+        """Sail a piece: straight, on boards, or - where there is no room - halves of it on their own.
+
+        With ``put_off`` a short second board may be left to the next piece, which then begins beside its
+        own line: from there, or, if that is no good, after the board that was put off.
+        """
+        here = np.array(self.corners[-1])
+        beside = bool(np.hypot(*(here - piece.a)) > 1.0)
+        points = self._sailed(here, piece, put_off=put_off)
+        if points is None and beside:
+            self._append(piece.a[None, :], short=False)
+            points = self._sailed(piece.a, piece, put_off=put_off)
+        if points is not None:
+            self._append(points, short=False)
+        elif piece.seconds > 2 * SHORTEST_PAIR_S:
+            middle = (piece.a + piece.b) / 2
+            self.add(replace(piece, b=middle, seconds=piece.seconds / 2), put_off=False)
+            self.add(replace(piece, a=middle, seconds=piece.seconds / 2), put_off=put_off)
+        else:
+            self._append(piece.b[None, :], short=True)
+
+    def _append(self, points: Array, *, short: bool) -> None:
         self.corners.extend((float(x), float(y)) for x, y in points)
         self.short.extend([short] * len(points))
 
-    def _boards(self, piece: _Piece, steps: Array) -> Array | None:
+    def _sailed(self, here: Array, piece: _Piece, *, put_off: bool) -> Array | None:
+        """Corners from here to the end of a piece; ``None`` where land or the wind forbid it."""
+        if piece.gain < GAIN:
+            on_line = np.array_equal(here, piece.a)
+            return piece.b[None, :] if on_line or self._clear(here, piece.b) else None
+        legs = np.linalg.solve(piece.headings, piece.b - here)
+        if legs.min() < 0.0:
+            return None
+        steps = piece.headings * legs
+        if put_off and piece.seconds * legs.min() / legs.sum() < SHORTEST_BOARD_S:
+            there = here + steps[:, int(np.argmax(legs))]
+            # The board put off must be free as well: it is the way back to the line.
+            if self._clear(here, there) and self._clear(there, piece.b):
+                return there[None, :]
+        return self._boards(here, steps, piece.seconds)
+
+    def _clear(self, a: Array, b: Array) -> bool:
+        return bool(self.sea.clear(np.concatenate([a, b])[None, :])[0])
+
+    def _boards(self, a: Array, steps: Array, seconds: float) -> Array | None:
         """Corners of the boards, as few as the water allows; ``None`` where it is too narrow.
 
         Every second pair begins with the heading on which the last one ended, which halves the tacks.
         """
         pairs = 1
-        while pairs == 1 or piece.seconds / pairs >= SHORTEST_PAIR_S:
+        while pairs == 1 or seconds / pairs >= SHORTEST_PAIR_S:
             for swap in (self.other_first, not self.other_first):
-                corners, last = _zigzag(piece.a, steps / pairs, pairs, swap)
-                points = np.vstack([piece.a, corners])
+                corners, last = _zigzag(a, steps / pairs, pairs, swap)
+                points = np.vstack([a, corners])
                 if bool(self.sea.clear(np.hstack([points[:-1], points[1:]])).all()):
                     self.other_first = last
                     return corners

@@ -57,4 +57,4 @@ def _by_course(offsets: NDArray[np.int64]) -> NDArray[np.int64]:
 
 def plane(offsets: NDArray[np.int64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Axial positions ``(n, 2)`` in sides of the triangle, as x (east) and y (north)."""
-    return offsets[..., 0] + offsets[..., 1] / 2.0, offsets[..., 1] * ROW_HEIGHT
+    return np.asarray(offsets[..., 0] + offsets[..., 1] / 2.0), np.asarray(offsets[..., 1] * ROW_HEIGHT)

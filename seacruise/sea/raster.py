@@ -148,7 +148,7 @@ def _fine_window(raster: WaterRaster) -> tuple[int, int, int, int]:
 
 
 def load(south: float, west: float, north: float, east: float, *, cache_dir: Path) -> WaterRaster:
-    """The raster of a rectangle from the cache, or built and cached; mapped, not read, into memory."""
+    """Map the raster of a rectangle from the cache, or build and cache it."""
     south, west = math.floor(south), math.floor(west)
     north, east = math.ceil(north), math.ceil(east)
     folder = cache_dir / f"water-v{RASTER_VERSION}_{south}_{west}_{north}_{east}"

@@ -113,7 +113,7 @@ class Sea:
         )
         fine = coast.covers(lat, lon)
         dry = ~fine & (self.water.at(*to_mercator(lat, lon)) == 0)
-        return coast.land_on_lines(steps) | dry[:-1] | dry[1:]
+        return np.asarray(coast.land_on_lines(steps) | dry[:-1] | dry[1:])
 
     def snap(self, lat: float, lon: float, *, name: str = "") -> Snap:
         """Water nearest to a port: connected with the open sea, and not itself in a cell with a shore.

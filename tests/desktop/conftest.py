@@ -8,7 +8,7 @@ from datetime import UTC, datetime
 from typing import Any
 
 import pytest
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QLabel
 from pytestqt.qtbot import QtBot
 
 from seacruise.desktop.compute import Question
@@ -33,8 +33,8 @@ ASK: dict[str, Any] = {
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     for item in items:
         if "tests/desktop" in item.path.as_posix():
-            # The platform that draws in memory cannot tell a window manager the size it would like.
-            item.add_marker(pytest.mark.qt_log_ignore("propagateSizeHints"))
+            # The platform that draws in memory has no window manager to ask for sizes, order or the keyboard.
+            item.add_marker(pytest.mark.qt_log_ignore("This plugin does not support"))
 
 
 class HeldPlanner:
@@ -116,8 +116,5 @@ def answered(window: MainWindow, planner: HeldPlanner, qtbot: QtBot) -> MainWind
 
 def texts_of(window: MainWindow) -> str:
     """Everything that the side panel says."""
-    from PySide6.QtWidgets import QLabel
-
+    QApplication.processEvents()
     return "\n".join(label.text() for label in window.side.findChildren(QLabel) if label.isVisible())
-
-

@@ -27,9 +27,7 @@ T0 = DEPARTURE.timestamp()
 HOUR = 3600.0
 DAY = 86_400.0
 
-PRECISE = How(
-    preset="precise", directions=None, spacing_nm=None, area=None, refine=True, handling=Handling()
-)
+PRECISE = How(preset="precise", directions=None, spacing_nm=None, area=None, refine=True, handling=Handling())
 
 
 def open_sea(
@@ -60,9 +58,9 @@ def raster_of(
     return WaterRaster(x0, y0, cell, cells, first, shores)
 
 
-def forecast(begin: float, end: float, *, step_h: float = 1.0, source: str = "Made by hand") -> Forecast:
-    valid = (datetime.fromtimestamp(t, UTC) for t in (begin, end))
-    return Forecast(source, None, *valid, step_h=step_h, resolution_deg=1.0)
+def forecast(begin: float, end: float) -> Forecast:
+    since, until = (datetime.fromtimestamp(t, UTC) for t in (begin, end))
+    return Forecast("Made by hand", None, since, until, step_h=1.0, resolution_deg=1.0)
 
 
 def wind_of(time: Any, lat: Any, speed: Any, direction_deg: Any) -> Wind:
@@ -146,7 +144,9 @@ def random_edges(
     return sorted(pairs | {(b, a) for a, b in pairs} if both_ways else pairs)
 
 
-def random_lattice(rng: np.random.Generator, n: int, *, out_degree: int = 4, size_nm: float = 80.0) -> Lattice:
+def random_lattice(
+    rng: np.random.Generator, n: int, *, out_degree: int = 4, size_nm: float = 80.0
+) -> Lattice:
     """Scatter vertices over a square of the sea, some at the same place, and join them at random."""
     x0, y0 = (float(c) for c in to_mercator(57.0, 18.0))
     side = size_nm * METRES_PER_NM / float(scale(57.0))
@@ -163,8 +163,9 @@ def random_field(rng: np.random.Generator, *, slices: int = 12, step: float = HO
     if rng.random() < 0.8:
         calm[-1] = False
     u[calm], v[calm] = 0.0, 0.0
-    strongest = float(np.sqrt((u.astype(float) ** 2 + v.astype(float) ** 2).max()))
-    return WindField((u, v, T0, step, 56.5, 1.0, 17.5, 1.0), T0 + (slices - 1) * step, strongest)
+    tws = np.hypot(u.astype(np.float64), v.astype(np.float64))
+    arrays = (u, v, T0, step, 56.5, 1.0, 17.5, 1.0)
+    return WindField(arrays, T0 + (slices - 1) * step, float(tws.max()), float(tws.mean()))
 
 
 def random_table(
