@@ -33,11 +33,12 @@ class PortField(QLineEdit):
         # The search ranks by itself (word beginnings, other spellings); Qt's own filter would drop them.
         self._completer.setCompletionMode(QCompleter.CompletionMode.UnfilteredPopupCompletion)
         self._completer.setMaxVisibleItems(_OFFERED)
-        popup = QListView(self)
-        popup.setObjectName("completions")
-        self._completer.setPopup(popup)
+        self.popup = QListView(self)
+        self.popup.setObjectName("completions")
+        self._completer.setPopup(self.popup)
+        # Not setCompleter(): the line edit would open the popup again after it was decided to close it.
+        self._completer.setWidget(self)
         self._completer.activated.connect(self._take)
-        self.setCompleter(self._completer)
         self.setClearButtonEnabled(True)
         self.textEdited.connect(self._offer)
         self.textChanged.connect(self._resolve)
@@ -47,6 +48,11 @@ class PortField(QLineEdit):
         """Take the ports over; what was typed meanwhile is looked up again."""
         self._ports = ports
         self._resolve()
+
+    @property
+    def offered(self) -> list[str]:
+        """Names that are offered for what is typed, best first."""
+        return self._model.stringList()
 
     @property
     def port(self) -> Port | None:
@@ -80,12 +86,13 @@ class PortField(QLineEdit):
         names = [port.name for port in search_ports(text, self._ports, _OFFERED)] if text.strip() else []
         self._model.setStringList(names)
         # An open popup takes the next click for itself; once nothing is left to choose it only stands in the way.
-        decided = self._port is not None and names == [self._port.name] and same_name(text, self._port.name)
+        port = self._port
+        port = self._port
+        decided = port is not None and names == [port.name] and same_name(text, port.name)
         if names and not decided:
             self._completer.complete()
             return
-        if (popup := self._completer.popup()) is not None:
-            popup.hide()
+        self.popup.hide()
         if decided:
             self._complete_name()
 
@@ -106,8 +113,7 @@ class PortField(QLineEdit):
 
     def _complete_name(self) -> None:
         """Write the native spelling out when the sailor leaves the field."""
-        popup = self._completer.popup()
-        if popup is not None and popup.isVisible():
+        if self.popup.isVisible():
             return
         if self._port is not None and self.text() != self._port.name:
             self.setText(self._port.name)

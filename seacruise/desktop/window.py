@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import logging
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from datetime import UTC, datetime
 from functools import partial
 from pathlib import Path
@@ -24,7 +24,7 @@ from PySide6.QtWidgets import (
 from seacruise.desktop.about import AboutDialog
 from seacruise.desktop.background import Background, Catalogue
 from seacruise.desktop.chart_pane import ChartPane
-from seacruise.desktop.compute import Answer, Fetcher, Planner, Question, compute, fetch_wind, plan_passage
+from seacruise.desktop.compute import Answer, Fetcher, Planner, compute, fetch_wind, plan_passage
 from seacruise.desktop.exporting import Exporter
 from seacruise.desktop.form import PassageForm
 from seacruise.desktop.jobs import GarbageKeeper, JobRunner, unexpected
@@ -39,7 +39,7 @@ from seacruise.geodesy import format_position
 
 if TYPE_CHECKING:
     from seacruise.desktop.state import Horizon
-    from seacruise.progress import Job
+    from seacruise.passage import Passage
     from seacruise.settings import Settings
 
 log = logging.getLogger(__name__)
@@ -140,8 +140,8 @@ class MainWindow(QMainWindow):
         self.menus = Menus(
             self,
             Commands(
-                save_gpx=self._export_gpx,
-                save_csv=self._export_csv,
+                save_gpx=partial(self._export, self.exporter.ask_gpx),
+                save_csv=partial(self._export, self.exporter.ask_csv),
                 save_png=self._export_png,
                 quit=self.close,
                 show_layers=self._show_layers,
@@ -220,8 +220,10 @@ class MainWindow(QMainWindow):
         except SeaCruiseError as error:
             self._set(self.state.refused(error))
             return
-        work = partial(_work, question, self._settings, self._planner, self._fetcher)
-        self._set(self.state.started(self.jobs.run_job(work)))
+        how = partial(
+            compute, question, settings=self._settings, planner=self._planner, fetcher=self._fetcher
+        )
+        self._set(self.state.started(self.jobs.run_job(lambda job: how(job=job))))
 
     def cancel(self) -> None:
         """Cancel the calculation; at once, whatever the worker still does."""
@@ -401,13 +403,9 @@ class MainWindow(QMainWindow):
             case WayOut.RETRY:
                 self.calculate()
 
-    def _export_gpx(self) -> None:
+    def _export(self, ask: Callable[[Passage], None]) -> None:
         if self.state.answer is not None:
-            self.exporter.ask_gpx(self.state.answer.passage)
-
-    def _export_csv(self) -> None:
-        if self.state.answer is not None:
-            self.exporter.ask_csv(self.state.answer.passage)
+            ask(self.state.answer.passage)
 
     def _export_png(self) -> None:
         if self.state.answer is not None:
@@ -449,7 +447,3 @@ class MainWindow(QMainWindow):
         self.background.shut_down()
         self.exporter.shut_down()
         event.accept()
-
-
-def _work(question: Question, settings: Settings, planner: Planner, fetcher: Fetcher, job: Job) -> Answer:
-    return compute(question, settings=settings, job=job, planner=planner, fetcher=fetcher)

@@ -92,8 +92,11 @@ def search(grid: Lattice, wind: Wind, polar: Polar, handling: Handling, departur
 
 
 def rows_as_published(grid: Lattice) -> list[str]:
-    """Adjacency lists in R1's notation: ``0 --> 1 2``."""
-    return [
-        f"{v} --> {' '.join(map(str, grid.target[grid.first[v] : grid.first[v + 1]].tolist()))}".rstrip()
-        for v in range(grid.vertices)
-    ]
+    """Adjacency lists in R1's notation, ``0 --> 1 2``: 0 is the start, the last one the end."""
+    away = np.hypot(grid.x - grid.x[grid.start], grid.y - grid.y[grid.start])
+    away[grid.end] = np.inf
+    order = np.argsort(away, kind="stable")
+    number = np.empty_like(order)
+    number[order] = np.arange(order.size)
+    rows = (number[grid.target[grid.first[v] : grid.first[v + 1]]] for v in order)
+    return [f"{k} --> {' '.join(map(str, sorted(row.tolist())))}".rstrip() for k, row in enumerate(rows)]

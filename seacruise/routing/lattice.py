@@ -310,28 +310,31 @@ class _Grower:
         """Join both ends and pack the edges into rows."""
         from seacruise.routing import _kernels as k
 
-        x = np.concatenate([*self.x, [self.start[0], self.end[0]]])
-        y = np.concatenate([*self.y, [self.start[1], self.end[1]]])
-        n = x.size
-        start = n - 2
+        ends = [self.start, self.end] if enter_from is None else [self.end]
+        x = np.concatenate([*self.x, [end[0] for end in ends]])
+        y = np.concatenate([*self.y, [end[1] for end in ends]])
+        n, count = x.size, x.size - len(ends)
         if enter_from is None:
-            leaves, enters = self._in_sight(x, y, n - 2), self._in_sight(x, y, n - 1)
+            start = n - 2
+            leaves, enters = (self._in_sight(x, y, end, count) for end in (n - 2, n - 1))
         else:
-            start = int(np.argmin(np.hypot(x[:-2] - self.start[0], y[:-2] - self.start[1])))
-            leaves, enters = np.empty(0, np.int32), self._in_sight(x, y, n - 1, most=enter_from)
-        a = [*self.a, *self.b, np.full(leaves.size, n - 2, np.int32), enters]
+            start = int(np.argmin(np.hypot(x[:count] - self.start[0], y[:count] - self.start[1])))
+            leaves, enters = np.empty(0, np.int32), self._in_sight(x, y, n - 1, count, most=enter_from)
+        a = [*self.a, *self.b, np.full(leaves.size, start, np.int32), enters]
         b = [*self.b, *self.a, leaves, np.full(enters.size, n - 1, np.int32)]
         if enter_from is None and bool(self.sea.clear(np.array([[*self.start, *self.end]]))[0]):
-            a.append(np.array([n - 2], np.int32))
+            a.append(np.array([start], np.int32))
             b.append(np.array([n - 1], np.int32))
         source, target = np.concatenate(a), np.concatenate(b)
         first, order = k.sort_rows(source, n)
         lat, lon = from_mercator(x, y)
         return Lattice(x, y, lat, lon, scale(lat), first, target[order], start, n - 1, self.spacing)
 
-    def _in_sight(self, x: Array, y: Array, end: int, *, most: int | None = None) -> NDArray[np.int32]:
+    def _in_sight(
+        self, x: Array, y: Array, end: int, count: int, *, most: int | None = None
+    ) -> NDArray[np.int32]:
         """Vertices that an end is joined to: those within two sides of its triangles, level by level."""
-        away = np.hypot(x[:-2] - x[end], y[:-2] - y[end])
+        away = np.hypot(x[:count] - x[end], y[:count] - y[end])
         nearest = np.argsort(away, kind="stable")
         if most is not None:
             near = nearest[:most]

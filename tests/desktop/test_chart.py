@@ -138,7 +138,10 @@ def test_the_scale_bar_is_as_long_as_it_says(scale: float, lat: float) -> None:
 
 def test_wind_colours_are_told_apart_by_lightness_alone() -> None:
     def lightness(colour: QColor) -> float:
-        channels = [c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in colour.getRgbF()[:3]]
+        channels = [
+            c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4
+            for c in (colour.redF(), colour.greenF(), colour.blueF())
+        ]
         luminance = float(np.dot(channels, (0.2126, 0.7152, 0.0722)))
         return 116.0 * luminance ** (1 / 3) - 16.0 if luminance > 0.008856 else 903.3 * luminance
 

@@ -29,7 +29,7 @@ def field(app: QApplication, qtbot: QtBot) -> Iterator[PortField]:
     field.set_ports(load_ports())
     field.show()
     yield field
-    field.completer().popup().hide()
+    field.popup.hide()
 
 
 @pytest.fixture
@@ -62,14 +62,12 @@ def form(app: QApplication, qtbot: QtBot) -> PassageForm:
 )
 def test_ports_are_offered_as_one_types(field: PortField, typed: str, name: str) -> None:
     QTest.keyClicks(field, typed)
-    offered = field.completer().model()
-    names = [offered.index(row, 0).data() for row in range(offered.rowCount())]
-    assert any(n.startswith(name) for n in names)
+    assert any(offered.startswith(name) for offered in field.offered)
 
 
 def test_the_offer_is_taken_with_the_keys(field: PortField, qtbot: QtBot) -> None:
     QTest.keyClicks(field, "swinou")
-    popup = field.completer().popup()
+    popup = field.popup
     qtbot.waitUntil(popup.isVisible)
     QTest.keyClick(popup, Qt.Key.Key_Down)
     QTest.keyClick(popup, Qt.Key.Key_Return)
@@ -226,7 +224,7 @@ def test_every_field_has_a_name_for_those_who_cannot_see_it(form: PassageForm) -
 
 
 def test_the_offer_closes_when_the_name_is_complete(field: PortField, qtbot: QtBot) -> None:
-    popup = field.completer().popup()
+    popup = field.popup
     QTest.keyClicks(field, "visb")
     qtbot.waitUntil(popup.isVisible)
     QTest.keyClicks(popup, "y")

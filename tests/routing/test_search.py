@@ -65,7 +65,7 @@ def sail_by_hand(lattice: Lattice, field: WindField, speeds: SpeedTable) -> Sail
         fr, fc = row - r, column - c
         below = float(grid[r, c]) * (1 - fc) + float(grid[r, c + 1]) * fc
         above = float(grid[r + 1, c]) * (1 - fc) + float(grid[r + 1, c + 1]) * fc
-        return below * (1 - fr) + above * fr
+        return float(below * (1 - fr) + above * fr)
 
     def speed(k: int, lat: float, lon: float, course: float) -> float:
         row = min(max((lat - south) * per_lat, 0.0), u.shape[1] - 1.0)

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import itertools
+
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 
 from seacruise.routing import stencil
 
@@ -11,9 +14,7 @@ from seacruise.routing import stencil
 RINGS = ((6, 60.0), (12, 30.0), (24, 19.1), (36, 13.9), (60, 10.9), (72, 8.9), (108, 7.6), (132, 6.6))
 
 
-def courses_of(
-    offsets: np.ndarray[tuple[int, ...], np.dtype[np.int64]],
-) -> np.ndarray[tuple[int, ...], np.dtype[np.float64]]:
+def courses_of(offsets: NDArray[np.int64]) -> NDArray[np.float64]:
     x, y = stencil.plane(offsets)
     return np.asarray(np.sort(np.degrees(np.arctan2(x, y)) % 360.0))
 
@@ -40,7 +41,7 @@ def test_half_of_a_stencil_is_the_other_half_turned_round(courses: int) -> None:
 
 def test_richer_stencils_hold_the_poorer_ones() -> None:
     sets = [set(map(tuple, stencil.triangular(c).tolist())) for c in stencil.COURSES]
-    assert all(few < many for few, many in zip(sets, sets[1:], strict=False))
+    assert all(few < many for few, many in itertools.pairwise(sets))
 
 
 def test_second_ring_is_what_r1_published() -> None:
