@@ -1,8 +1,9 @@
 """Pictures of the window: the one in the README, and a gallery of every state it can be in.
 
-``python tools/screenshots.py [FOLDER]`` writes ``window.png`` and ``states/*.png`` into FOLDER
-(``docs/images`` when none is given). Passages are really computed; only what cannot be had on demand,
-a spent quota or a network that is down, is put in the place of the weather service.
+``python tools/screenshots.py`` writes ``docs/images/window.png``; with a FOLDER it writes the gallery
+there, ``1280x800/*.png`` and ``1920x1080/*.png``, to be looked at and not kept. Passages are really
+computed; only what cannot be had on demand, a spent quota or a network that is down, is put in the place
+of the weather service.
 """
 
 from __future__ import annotations
@@ -159,18 +160,31 @@ def picture_of_trouble(error: SeaCruiseError, size: tuple[int, int], settings: S
     window.close()
 
 
-def main(target: Path) -> None:
-    """Make all pictures."""
+def picture_for_readme(settings: Settings, path: Path) -> None:
+    """Window with a passage, fifteen hours under way."""
+    window = make_window(SIZES[0], settings)
+    calculate(window)
+    wait(lambda: window.chart.view.is_settled)
+    window.chart.time_bar.slider.setValue(15 * 60)
+    save(window, path)
+    window.close()
+
+
+def main(gallery: Path | None) -> None:
+    """Make the picture of the README, or all of the gallery."""
     app = QApplication([])
     apply_style(app)
     with tempfile.TemporaryDirectory() as home:
         settings = Settings(cache_dir=Path(home) / "cache", data_dir=Path(home) / "data")
+        if gallery is None:
+            picture_for_readme(settings, Path("docs/images/window.png"))
+            return
         for size in SIZES:
-            folder = target / "states" / f"{size[0]}x{size[1]}"
+            folder = gallery / f"{size[0]}x{size[1]}"
             picture_of_route(size, settings, folder)
             for error in TROUBLES:
                 picture_of_trouble(error, size, settings, folder / f"{error.reason}.png")
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1]) if len(sys.argv) > 1 else Path("docs/images"))
+    main(Path(sys.argv[1]) if len(sys.argv) > 1 else None)

@@ -24,7 +24,7 @@ from seacruise.settings import Settings
 
 log = logging.getLogger(__name__)
 
-_SWITCH_S: Final = 0.001
+_SWITCH_S: Final = 0.0002
 """How long a worker may keep Python's lock while the window wants it; Python's own 5 ms can be felt when
 a frame asks for it a dozen times."""
 

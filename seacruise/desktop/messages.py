@@ -14,6 +14,7 @@ from seacruise.errors import NoPassageError
 if TYPE_CHECKING:
     from seacruise.errors import SeaCruiseError
     from seacruise.passage import Passage
+    from seacruise.weather.wind import Forecast
 
 STALE_H: Final = 12.0
 """Age of a forecast that is worth a warning [h]: services compute a new one every six hours."""
@@ -139,13 +140,20 @@ def way_out_text(way_out: WayOut) -> str:
     }.get(way_out, "")
 
 
+def is_forecast(forecast: Forecast) -> bool:
+    """Tell a forecast from practice and sample weather, whose notice says that they are none."""
+    return "not a forecast" not in forecast.notice.lower()
+
+
 def notices_of(passage: Passage, now: datetime) -> list[Message]:
     """Collect what must be read with a passage, most important first."""
     forecast = passage.forecast
+    real = is_forecast(forecast)
     messages = []
     if forecast.notice:
-        messages.append(Message("warning", tr("Not a forecast for today"), forecast.notice))
-    elif forecast.issued is not None and (age := age_h(forecast.issued, now)) >= STALE_H:
+        title = tr("About this forecast") if real else tr("Not a forecast for today")
+        messages.append(Message("warning", title, forecast.notice))
+    if real and forecast.issued is not None and (age := age_h(forecast.issued, now)) >= STALE_H:
         messages.append(
             Message(
                 "warning",

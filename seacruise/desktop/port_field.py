@@ -85,8 +85,7 @@ class PortField(QLineEdit):
         self._resolve()
         names = [port.name for port in search_ports(text, self._ports, _OFFERED)] if text.strip() else []
         self._model.setStringList(names)
-        # An open popup takes the next click for itself; once nothing is left to choose it only stands in the way.
-        port = self._port
+        # An open popup takes the next click for itself; it must go once nothing is left to choose.
         port = self._port
         decided = port is not None and names == [port.name] and same_name(text, port.name)
         if names and not decided:

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QVBoxLayout, QWidget
 
 from seacruise.desktop.banner import Banner, text_label
 from seacruise.desktop.departure_field import format_moment
-from seacruise.desktop.messages import age_h, format_age, notices_of
+from seacruise.desktop.messages import age_h, format_age, is_forecast, notices_of
 from seacruise.desktop.style import scaled_font
 from seacruise.export.textform import format_duration, title, to_minute
 
@@ -137,7 +137,7 @@ def source_text(passage: Passage, now: datetime) -> str:
     """Source of the forecast, its age and its grid."""
     forecast = passage.forecast
     parts = [forecast.source]
-    if forecast.issued is not None and not forecast.notice:
+    if forecast.issued is not None and is_forecast(forecast):
         parts.append(
             _tr("issued {moment} UTC, {age} ago").format(
                 moment=format_moment(forecast.issued), age=format_age(age_h(forecast.issued, now))

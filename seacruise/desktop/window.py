@@ -31,7 +31,7 @@ from seacruise.desktop.jobs import GarbageKeeper, JobRunner, unexpected
 from seacruise.desktop.legs import LegsTable
 from seacruise.desktop.memory import WindowMemory
 from seacruise.desktop.menus import Commands, Menus
-from seacruise.desktop.messages import Message, WayOut, age_h, format_age, message_for
+from seacruise.desktop.messages import Message, WayOut, age_h, format_age, is_forecast, message_for
 from seacruise.desktop.side_panel import SidePanel, scroll_area
 from seacruise.desktop.state import Phase, WindowState
 from seacruise.errors import NoPassageError, SeaCruiseError
@@ -47,6 +47,7 @@ log = logging.getLogger(__name__)
 _FORM_PX: Final = 350
 _SIDE_PX: Final = 344
 _HORIZON_EVERY_MS: Final = 300_000
+_WARM_UP_AFTER_MS: Final = 400
 _WIND_FILES: Final = (".grib", ".grib1", ".grib2", ".grb", ".grb1", ".grb2", ".nc", ".nc4")
 
 
@@ -200,7 +201,7 @@ class MainWindow(QMainWindow):
         self.background.load_horizon(self.form.forecast)
         self.background.load_quota()
         if warm_up:
-            self.background.warm_up()
+            self.ready.connect(lambda: QTimer.singleShot(_WARM_UP_AFTER_MS, self.background.warm_up))
         self._horizon_timer.start()
         self.garbage.start()
 
@@ -298,7 +299,7 @@ class MainWindow(QMainWindow):
         QTimer.singleShot(0, self._fit)
         forecast = passage.forecast
         age = ""
-        if forecast.issued is not None and not forecast.notice:
+        if forecast.issued is not None and is_forecast(forecast):
             age = self.tr(", {age} old").format(age=format_age(age_h(forecast.issued, datetime.now(UTC))))
         self.source_label.setText(self.tr("Wind: {source}").format(source=forecast.source) + age)
 

@@ -69,9 +69,7 @@ def passage_to_text(passage: Passage, *, now: datetime) -> str:
 
 
 def _summary(passage: Passage, now: datetime) -> list[str]:
-    bound = f"no passage takes less than {format_duration(passage.lower_bound_h)}"
-    if passage.lower_bound_h > 0:
-        bound += f"; this one takes {(passage.duration_h / passage.lower_bound_h - 1.0) * 100:.1f} % more"
+    bound = f"no passage takes less than {format_duration(passage.lower_bound_h)}, even over land"
     rows = [
         ("Yacht", passage.yacht),
         ("From", _place(passage.start)),

@@ -14,8 +14,8 @@ from seacruise.errors import InputError, WeatherError
 from seacruise.progress import Job
 from seacruise.settings import Settings
 from seacruise.weather.cache import Memory, Quota
-from seacruise.weather.files import read_wind_file
 from seacruise.weather.grids import Place, passage_box
+from seacruise.weather.isolated import read_isolated
 from seacruise.weather.points import IsWater
 from seacruise.weather.practice import practice_wind
 from seacruise.weather.sample import VALID_FROM, VALID_TO, sample_wind
@@ -108,7 +108,7 @@ def horizon(
     forecasts = (
         [practice_wind(now).forecast]
         if kind == "practice"
-        else [read_wind_file(name).forecast for name in names]
+        else [read_isolated(Path(name), job=Job()).forecast for name in names]
     )
     return max(one.valid_from for one in forecasts), min(one.valid_to for one in forecasts)
 
@@ -200,9 +200,7 @@ def _kind(names: Sequence[str]) -> str:
 
 def _read(name: str, around: tuple[Place, Place], job: Job) -> Wind:
     job.report("wind", None, f"Reading {Path(name).name}")
-    wind = read_wind_file(name, around=around)
-    job.check()
-    return wind
+    return read_isolated(Path(name), around=around, job=job)
 
 
 def _mean(winds: Sequence[Wind]) -> Wind:

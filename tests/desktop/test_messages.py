@@ -71,6 +71,16 @@ def test_an_old_forecast_is_called_old(hours: float, warned: bool) -> None:
     assert all(message.kind == "warning" for message in messages)
 
 
+def test_partial_and_stale_data_are_told_as_what_they_are() -> None:
+    passage = hand_made_passage()
+    now = datetime(2016, 11, 20, 12, tzinfo=UTC)
+    notice = "3 of 12 points did not answer."
+    forecast = replace(passage.forecast, notice=notice, issued=now - timedelta(hours=20))
+    partial, stale = notices_of(replace(passage, forecast=forecast, notices=(notice,)), now)
+    assert (partial.title, partial.sentence) == ("About this forecast", notice)
+    assert "20 h old" in stale.title
+
+
 @pytest.mark.parametrize(("hours", "text"), [(0.5, "30 min"), (14.2, "14 h"), (72.0, "3 days")])
 def test_ages_are_short(hours: float, text: str) -> None:
     assert format_age(hours) == text

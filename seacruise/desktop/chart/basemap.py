@@ -25,7 +25,7 @@ from seacruise.sea.coast import CHART_LEVELS
 if TYPE_CHECKING:
     from seacruise.progress import Job
 
-_CELL_PX: Final = 220.0
+_CELL_PX: Final = 110.0
 _DEEPEST: Final = 12
 _LEAST_PX: Final = 1.8
 _LEVEL_BELOW_M_PX: Final = (3600.0, 420.0)

@@ -11,10 +11,10 @@ from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QPainter, QTransform
 
 from seacruise.desktop.chart import palette
+from seacruise.desktop.chart.basemap import Extent, Painter, Picture
 from seacruise.desktop.chart.layer import Layer
 
 if TYPE_CHECKING:
-    from seacruise.desktop.chart.basemap import Extent, Painter, Picture
     from seacruise.desktop.jobs import JobRunner
     from seacruise.progress import Job
 
@@ -37,7 +37,7 @@ class CoastLayer(Layer):
         super().__init__(bounds)
         self._runner = runner
         self._on_painted = on_painted
-        self._painter: Painter | None = None
+        self._painter = Painter()
         self._picture: Picture | None = None
         self._wanted: Extent | None = None
         self._lattice: NDArray[np.float32] | None = None
@@ -66,8 +66,6 @@ class CoastLayer(Layer):
         )
         if fits and not self._stale:
             return
-        from seacruise.desktop.chart.basemap import Extent, Painter
-
         width, height = (round(side * (1 + 2 * _MARGIN)) for side in size)
         extent = Extent(
             left=view.center().x() - width / 2 / scale,
@@ -77,7 +75,6 @@ class CoastLayer(Layer):
             height=height,
             density=density,
         )
-        self._painter = self._painter or Painter()
         painter, lattice = self._painter, self._lattice
         self._wanted, self._stale = extent, False
 
