@@ -30,7 +30,12 @@ class Corridor:
     levels: int
 
 
-CORRIDORS: Final = (Corridor(2.0, 20.0, 3), Corridor(1.0, 9.0, 2), Corridor(0.7, 6.0, 2), Corridor(0.5, 4.0, 2))
+CORRIDORS: Final = (
+    Corridor(2.0, 20.0, 3),
+    Corridor(1.0, 9.0, 2),
+    Corridor(0.7, 6.0, 2),
+    Corridor(0.5, 4.0, 2),
+)
 """Each is run with 132 courses and relaxed; the best of all lines is what the others are held against."""
 
 

@@ -125,7 +125,11 @@ def _cruise(at: World, cruising: Any, diagram: Any) -> Figures:
     course = float(rhumb_course_deg(*LEGS["139_nm"][0], *LEGS["139_nm"][1]))
     speed = float(at.yacht.speed(TWS_KN * MS_PER_KNOT, 270.0 - course))
     hours = float(great_circle_m(*LEGS["139_nm"][0], *LEGS["139_nm"][1])) / speed / SECONDS_PER_HOUR
-    return {"outcome": "answered", "claimed_h": round(sum(h for _, h in answer), 3), "true_h": round(hours, 3)}
+    return {
+        "outcome": "answered",
+        "claimed_h": round(sum(h for _, h in answer), 3),
+        "true_h": round(hours, 3),
+    }
 
 
 def _convex(at: World, cruising: Any, diagram: Any, *, runs: int) -> Figures:
@@ -139,12 +143,17 @@ def _convex(at: World, cruising: Any, diagram: Any, *, runs: int) -> Figures:
             for angle, share in angles
         )
 
-    theirs, own = [], []
+    theirs, own, impossible = [], [], []
     for course in courses.tolist():
         try:
             split = cruising.convex_direction(diagram, TWS_KN, course)
         except Exception as error:  # noqa: BLE001 - other people's programs raise what they like
             return _raised(error) | {"course_deg": course}
+        if any(not -1e-9 <= d.proportion <= 1.0 + 1e-9 for d in split):
+            impossible.append(
+                {"course_deg": course, "shares": [round(float(d.proportion), 3) for d in split]}
+            )
+            continue
         # A single heading stands for sailing the course itself.
         headings = [(d.angle, d.proportion) for d in split] if len(split) > 1 else [(course, 1.0)]
         theirs.append(made(headings, course))
@@ -157,6 +166,7 @@ def _convex(at: World, cruising: Any, diagram: Any, *, runs: int) -> Figures:
     return {
         "outcome": "compared",
         "courses": int(courses.size),
+        "shares_below_zero_or_above_one": impossible,
         "less_made_good_than_ours_worst_percent": round(float(less.max()), 3),
         "less_made_good_than_ours_mean_percent": round(float(less.mean()), 3),
         "per_course": per_call,

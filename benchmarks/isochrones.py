@@ -71,9 +71,7 @@ def route_by_weatherrouting(
     departure = datetime.fromtimestamp(asked.departure, UTC)
     router = library.list_routing_algorithms()[0]["class"]
     begun = time.perf_counter()
-    routing = library.Routing(
-        router, polar, [asked.start, asked.end], _Wind(simulator), departure, **checks
-    )
+    routing = library.Routing(router, polar, [asked.start, asked.end], _Wind(simulator), departure, **checks)
     # After the port is reached one more step only says so.
     while not routing.path and routing.steps < MOST_STEPS:
         routing.step(timedelta=step_h)

@@ -121,9 +121,7 @@ def _timed(
     """Search again and again on one lattice, on the wind and speeds that a passage uses."""
     field, speeds = at.field(), at.speeds
     found = search(grid, field, speeds, at.departure, to_end=to_end)
-    seconds = stopwatch(
-        lambda: search(grid, field, speeds, at.departure, to_end=to_end), runs=pace.runs
-    )
+    seconds = stopwatch(lambda: search(grid, field, speeds, at.departure, to_end=to_end), runs=pace.runs)
     figures = in_ms(seconds, budget_ms=budget_ms)
     hours = (float(found.arrival[grid.end]) - at.departure) / SECONDS_PER_HOUR
     return figures | {

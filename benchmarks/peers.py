@@ -48,9 +48,9 @@ class Case:
 
 CASES: Final = {
     "open_water_139_nm": Case((55.0, 19.0), (57.3, 19.6), land=False, steps_h=(1.0, 0.5)),
-    "open_water_288_nm": Case((54.56, 18.75), (59.35, 18.75), land=False, steps_h=(1.0, 0.5)),
+    "open_water_288_nm": Case((54.56, 18.75), (59.35, 18.75), land=False, steps_h=(1.0,)),
     "open_water_288_nm_back": Case((59.35, 18.75), (54.56, 18.75), land=False, steps_h=(1.0,)),
-    "with_land_261_nm": Case((54.56, 18.75), (58.85, 18.6), land=True, steps_h=(1.0,)),
+    "with_land_258_nm": Case((54.56, 18.75), (58.85, 18.6), land=True, steps_h=(1.0,)),
 }
 
 

@@ -45,6 +45,7 @@ def _calls(at: World) -> dict[str, Callable[[], object]]:
         "wind_field_coarse": at.field,
         "wind_field_fine": lambda: at.field(fine=True),
         "load_fleet": lambda: load_fleet([resource_path("polars")]),
-        "load_ports": load_ports,
+        # By its path: the shipped file is read once a process.
+        "load_ports": lambda: load_ports(resource_path("ports.csv")),
         "sample_wind": sample_wind,
     }

@@ -1,0 +1,41 @@
+"""The window: from the start of a cold process to its first frame, drawn in memory."""
+
+from __future__ import annotations
+
+import os
+import statistics
+import sys
+from typing import Final
+
+from benchmarks.measure import Figures, Pace, run_process, say, within
+from benchmarks.world import home
+
+BUDGET_S: Final = 0.6
+
+
+def window(pace: Pace) -> Figures:
+    """Start the program's window in processes of their own and take the time of the first frame."""
+    runs = 1 if pace.quick else 5
+    environment = {
+        "SEACRUISE_HOME": home(),
+        "QT_QPA_PLATFORM": os.environ.get("QT_QPA_PLATFORM", "offscreen"),
+    }
+    seconds, peaks = [], []
+    for run in range(runs + 1):
+        say(f"window: {run or 'warm-up'}")
+        sailed = run_process((sys.executable, "-m", "benchmarks.first_frame"), environment=environment)
+        if sailed.code:
+            last = (sailed.said.strip() or f"exit code {sailed.code}").splitlines()[-1]
+            return {"outcome": f"The window did not open: {last}"}
+        if run:
+            seconds.append(float(sailed.output) - sailed.begun)
+            peaks.append(sailed.peak_mb)
+    figures: Figures = {
+        "outcome": "opened",
+        "platform": environment["QT_QPA_PLATFORM"],
+        "first_frame_median_s": round(statistics.median(seconds), 3),
+        "first_frame_min_s": round(min(seconds), 3),
+        "peak_mb": max((round(peak, 1) for peak in peaks if peak is not None), default=None),
+        "runs": runs,
+    }
+    return figures | within(figures, "first_frame_median_s", BUDGET_S)
