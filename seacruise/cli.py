@@ -6,6 +6,7 @@ Nothing heavy is imported here, so that ``--help`` answers at once; each sub-com
 from __future__ import annotations
 
 import argparse
+import gc
 import os
 import re
 import sys
@@ -46,6 +47,9 @@ def main(argv: Sequence[str] | None = None) -> int:
     """
     words = list(sys.argv[1:] if argv is None else argv) or ["window"]
     _speak_utf8()
+    if argv is None and words[0] != "window":
+        # A process of its own that ends in a second or two: collecting garbage would cost a tenth of it.
+        gc.disable()
     try:
         code = _run(words)
         sys.stdout.flush()
