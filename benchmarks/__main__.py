@@ -32,9 +32,7 @@ def main(arguments: Sequence[str]) -> int:
     parser = argparse.ArgumentParser(prog="python -m benchmarks", description=__doc__)
     parser.add_argument("sections", nargs="*", metavar="SECTION", help=f"of {', '.join(SECTIONS)}")
     parser.add_argument("--runs", type=int, default=7, help="timed repetitions of each figure (default: 7)")
-    parser.add_argument(
-        "--quick", action="store_true", help="small cases only, one repetition: for the tests"
-    )
+    parser.add_argument("--quick", action="store_true", help="small cases, one repetition: for tests")
     said = parser.parse_args(arguments)
     unknown = set(said.sections) - set(SECTIONS)
     if unknown:

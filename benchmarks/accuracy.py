@@ -87,10 +87,10 @@ def accuracy(pace: Pace) -> Figures:
     at = world()
     simulator = Simulator(at.wind, at.yacht)
     figures: Figures = {
-        "about": "gap_percent: hours as shown (boards put in, sailed again) against those of the best line that "
-        f"searches with {COURSES} courses down to {CORRIDORS[-1].spacing_nm} nm found, both made and sailed "
-        "alike; line_gap_percent: the same lines in this benchmark's own simulator, without boards. A gap "
-        "below zero: the boards fell better for ours.",
+        "about": "gap_percent: hours as shown (boards put in, sailed again) against those of the best line "
+        f"that searches with {COURSES} courses down to {CORRIDORS[-1].spacing_nm} nm found, both made and "
+        "sailed alike; line_gap_percent: the same lines in this benchmark's own simulator, without boards. "
+        "A gap below zero: the boards fell better for ours.",
         "passages": {},
     }
     for start, end in PASSAGES[: 1 if pace.quick else None]:

@@ -1,29 +1,35 @@
-"""hrosailing 0.12 (Apache-2.0): it has no router, but it answers what a leg costs and how a beat is split."""
+"""hrosailing 0.12 (Apache-2.0): it has no router, but it tells what a leg costs and how a beat is split."""
 
 from __future__ import annotations
 
 import math
 import time
 import warnings
+from dataclasses import dataclass
 from datetime import UTC, datetime
+from functools import partial
 from importlib import import_module
 from typing import Any, Final
 
 import numpy as np
 
-from benchmarks.measure import Figures, in_ms, stopwatch
+from benchmarks.measure import Figures, attempt, in_ms, stopwatch
 from benchmarks.simulator import Simulator
 from benchmarks.world import Position, World
 from seacruise.geodesy import great_circle_m, rhumb_course_deg
 from seacruise.units import METRES_PER_NM, MS_PER_KNOT, SECONDS_PER_HOUR
 from seacruise.yacht.hull import hull_headings
+from seacruise.yacht.polar import Polar
 
-LEGS: Final = {
+Leg = tuple[Position, Position]
+
+LEGS: Final[dict[str, Leg]] = {
     "139_nm": ((55.0, 19.0), (57.3, 19.6)),
     "288_nm": ((54.56, 18.75), (59.35, 18.75)),
     "288_nm_back": ((59.35, 18.75), (54.56, 18.75)),
 }
 TWS_KN: Final = 12.0
+TWD_DEG: Final = 270.0
 ISOCHRONE_COURSE_DEG: Final = 10.0
 
 
@@ -39,6 +45,21 @@ class _Weather:
         return {"UGRID": u / MS_PER_KNOT, "VGRID": v / MS_PER_KNOT}
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class _Bench:
+    """Its functions, its form of our polar, and what they are held against."""
+
+    cruising: Any
+    diagram: Any
+    yacht: Polar
+    simulator: Simulator
+    departure: float
+
+    @property
+    def when(self) -> datetime:
+        return datetime.fromtimestamp(self.departure, UTC)
+
+
 def hrosailing_figures(at: World, simulator: Simulator, *, runs: int) -> Figures:
     """Its four public functions against the simulator and our hull."""
     with warnings.catch_warnings():
@@ -51,34 +72,26 @@ def hrosailing_figures(at: World, simulator: Simulator, *, runs: int) -> Figures
             wa_resolution=twa,
             bsps=at.yacht.speed(tws * MS_PER_KNOT, twa[:, None]) / MS_PER_KNOT,
         )
-        figures: Figures = {"cost_cruise_straight_leg": {}}
-        for name, (start, end) in LEGS.items():
-            figures["cost_cruise_straight_leg"][name] = _cost(at, simulator, cruising, diagram, start, end)
-        figures["isochrone_1_h"] = _isochrone(at, simulator, cruising, diagram)
-        figures["cruise"] = _cruise(at, cruising, diagram)
-        figures["convex_direction_12_kn"] = _convex(at, cruising, diagram, runs=runs)
-    return figures
+        bench = _Bench(cruising, diagram, at.yacht, simulator, at.departure)
+        return {
+            "cost_cruise_straight_leg": {
+                name: attempt(partial(_cost, bench, leg)) for name, leg in LEGS.items()
+            },
+            "isochrone_1_h": attempt(lambda: _isochrone(bench)),
+            "cruise": attempt(lambda: _cruise(bench)),
+            "convex_direction_12_kn": attempt(lambda: _convex(bench, runs=runs)),
+        }
 
 
-def _departure(at: World) -> datetime:
-    return datetime.fromtimestamp(at.departure, UTC)
-
-
-def _raised(error: Exception) -> Figures:
-    return {"outcome": f"It raised {type(error).__name__}: {error}"}
-
-
-def _cost(
-    at: World, simulator: Simulator, cruising: Any, diagram: Any, start: Position, end: Position
-) -> Figures:
+def _cost(bench: _Bench, leg: Leg) -> Figures:
+    (lat0, lon0), (lat1, lon1) = start, end = leg
     begun = time.perf_counter()
-    try:
-        hours = float(cruising.cost_cruise(diagram, start, end, _departure(at), _Weather(simulator)))
-    except Exception as error:  # noqa: BLE001 - other people's programs raise what they like
-        return _raised(error)
+    hours = float(
+        bench.cruising.cost_cruise(bench.diagram, start, end, bench.when, _Weather(bench.simulator))
+    )
     seconds = time.perf_counter() - begun
     begun = time.perf_counter()
-    true = simulator.sail([start[0], end[0]], [start[1], end[1]], at.departure, tacking=False)
+    true = bench.simulator.sail([lat0, lat1], [lon0, lon1], bench.departure, tacking=False)
     figures: Figures = {
         "claimed_h": round(hours, 3),
         "computing_s": round(seconds, 3),
@@ -94,81 +107,72 @@ def _cost(
     }
 
 
-def _isochrone(at: World, simulator: Simulator, cruising: Any, diagram: Any) -> Figures:
+def _isochrone(bench: _Bench) -> Figures:
     start = LEGS["139_nm"][0]
+    course = ISOCHRONE_COURSE_DEG
     begun = time.perf_counter()
-    try:
-        end, length = cruising.isochrone(
-            diagram, start, _departure(at), ISOCHRONE_COURSE_DEG, _Weather(simulator), total_time=1
-        )
-    except Exception as error:  # noqa: BLE001 - other people's programs raise what they like
-        return _raised(error)
+    end, length = bench.cruising.isochrone(
+        bench.diagram, start, bench.when, course, _Weather(bench.simulator), total_time=1
+    )
     seconds = time.perf_counter() - begun
-    speed = simulator.speed(at.departure + SECONDS_PER_HOUR / 2, *start, ISOCHRONE_COURSE_DEG, tacking=False)
-    away = float(great_circle_m(*start, float(end[0]), float(end[1]))) / METRES_PER_NM
+    reached = float(end[0]), float(end[1])
+    middle = bench.departure + SECONDS_PER_HOUR / 2
+    true_m = bench.simulator.speed(middle, *start, course, tacking=False) * SECONDS_PER_HOUR
     return {
-        "course_deg": ISOCHRONE_COURSE_DEG,
+        "outcome": "compared",
+        "course_deg": course,
         "claimed_nm": round(float(length), 2),
-        "its_end_lies_away_nm": round(away, 2),
-        "its_end_lies_on_course_deg": round(float(rhumb_course_deg(*start, float(end[0]), float(end[1]))), 1),
-        "simulator_nm": round(speed * SECONDS_PER_HOUR / METRES_PER_NM, 2),
+        "its_end_lies_away_nm": round(float(great_circle_m(*start, *reached)) / METRES_PER_NM, 2),
+        "its_end_lies_on_course_deg": round(float(rhumb_course_deg(*start, *reached)), 1),
+        "simulator_nm": round(true_m / METRES_PER_NM, 2),
         "computing_s": round(seconds, 3),
     }
 
 
-def _cruise(at: World, cruising: Any, diagram: Any) -> Figures:
-    start, end = ((lon, lat) for lat, lon in LEGS["139_nm"])
-    try:
-        answer = cruising.cruise(diagram, start, end, (TWS_KN, 270.0))
-    except Exception as error:  # noqa: BLE001 - other people's programs raise what they like
-        return _raised(error)
-    course = float(rhumb_course_deg(*LEGS["139_nm"][0], *LEGS["139_nm"][1]))
-    speed = float(at.yacht.speed(TWS_KN * MS_PER_KNOT, 270.0 - course))
-    hours = float(great_circle_m(*LEGS["139_nm"][0], *LEGS["139_nm"][1])) / speed / SECONDS_PER_HOUR
+def _cruise(bench: _Bench) -> Figures:
+    start, end = LEGS["139_nm"]
+    answer = bench.cruising.cruise(bench.diagram, start[::-1], end[::-1], (TWS_KN, TWD_DEG))
+    twa = TWD_DEG - float(rhumb_course_deg(*start, *end))
+    speed = float(bench.yacht.speed(TWS_KN * MS_PER_KNOT, twa))
+    hours = float(great_circle_m(*start, *end)) / speed / SECONDS_PER_HOUR
     return {
-        "outcome": "answered",
-        "claimed_h": round(sum(h for _, h in answer), 3),
+        "outcome": "compared",
+        "claimed_h": round(sum(time_h for _, time_h in answer), 3),
         "true_h": round(hours, 3),
     }
 
 
-def _convex(at: World, cruising: Any, diagram: Any, *, runs: int) -> Figures:
+def _convex(bench: _Bench, *, runs: int) -> Figures:
     """Speed made good by its two headings against that by ours, every 5 degrees."""
     courses = np.arange(0.0, 181.0, 5.0)
     tws = TWS_KN * MS_PER_KNOT
 
-    def made(angles: list[tuple[float, float]], course: float) -> float:
+    def made(headings: list[tuple[float, float]], course: float) -> float:
         return sum(
-            share * float(at.yacht.speed(tws, angle)) * math.cos(math.radians(angle - course))
-            for angle, share in angles
+            share * float(bench.yacht.speed(tws, twa)) * math.cos(math.radians(twa - course))
+            for twa, share in headings
         )
 
-    theirs, own, impossible = [], [], []
+    less, impossible = [], []
     for course in courses.tolist():
-        try:
-            split = cruising.convex_direction(diagram, TWS_KN, course)
-        except Exception as error:  # noqa: BLE001 - other people's programs raise what they like
-            return _raised(error) | {"course_deg": course}
-        if any(not -1e-9 <= d.proportion <= 1.0 + 1e-9 for d in split):
-            impossible.append(
-                {"course_deg": course, "shares": [round(float(d.proportion), 3) for d in split]}
-            )
+        split = bench.cruising.convex_direction(bench.diagram, TWS_KN, course)
+        if any(not -1e-9 <= part.proportion <= 1.0 + 1e-9 for part in split):
+            shares = [round(float(part.proportion), 3) for part in split]
+            impossible.append({"course_deg": course, "shares": shares})
             continue
         # A single heading stands for sailing the course itself.
-        headings = [(d.angle, d.proportion) for d in split] if len(split) > 1 else [(course, 1.0)]
-        theirs.append(made(headings, course))
-        first, share, second, other = (float(v) for v in hull_headings(at.yacht, tws, course))
-        own.append(made([(first, share), (second, other)], course))
-    less = 100.0 * (1.0 - np.array(theirs) / np.array(own))
-    slow = stopwatch(lambda: cruising.convex_direction(diagram, TWS_KN, 20.0), runs=runs)
-    fast = stopwatch(lambda: hull_headings(at.yacht, tws, courses), runs=runs)
-    per_call, per_course = in_ms(slow), in_ms([s / courses.size for s in fast])
+        theirs = [(part.angle, part.proportion) for part in split] if len(split) > 1 else [(course, 1.0)]
+        first, share, second, other = (float(v) for v in hull_headings(bench.yacht, tws, course))
+        less.append(100.0 * (1.0 - made(theirs, course) / made([(first, share), (second, other)], course)))
+    slow = stopwatch(lambda: bench.cruising.convex_direction(bench.diagram, TWS_KN, 20.0), runs=runs)
+    fast = stopwatch(lambda: hull_headings(bench.yacht, tws, courses), runs=runs)
+    per_call, per_course = in_ms(slow), in_ms([seconds / courses.size for seconds in fast])
     return {
         "outcome": "compared",
         "courses": int(courses.size),
         "shares_below_zero_or_above_one": impossible,
-        "less_made_good_than_ours_worst_percent": round(float(less.max()), 3),
-        "less_made_good_than_ours_mean_percent": round(float(less.mean()), 3),
+        "less_made_good_than_ours_worst_percent": round(max(less), 3),
+        "less_made_good_than_ours_mean_percent": round(sum(less) / len(less), 3),
         "per_course": per_call,
         "ours_per_course": per_course,
         "ratio_of_computing": round(per_call["median_ms"] / per_course["median_ms"], 1),

@@ -20,6 +20,8 @@ ROOT: Final = Path(__file__).resolve().parent.parent
 _CHILD: Final = Path(__file__).with_name("child.py")
 _PACKAGES: Final = ("numpy", "numba", "shapely", "PySide6_Essentials", "weatherrouting", "hrosailing")
 
+HOW_TO_INSTALL: Final = "Not installed; the extra `bench` has it, and `make bench` installs it."
+
 Figures = dict[str, Any]
 
 
@@ -93,6 +95,20 @@ class Sailed:
     said: str
 
 
+def attempt(call: Callable[[], Figures]) -> Figures:
+    """Call another program; whatever it raises is its result, in plain words."""
+    begun = time.perf_counter()
+    try:
+        return call()
+    except ModuleNotFoundError as error:
+        return {"outcome": f"{HOW_TO_INSTALL} ({error})"}
+    except Exception as error:  # noqa: BLE001 - other people's programs raise what they like
+        return {
+            "outcome": f"It raised {type(error).__name__}: {error}",
+            "computing_s": round(time.perf_counter() - begun, 3),
+        }
+
+
 def run_process(command: Sequence[str], *, environment: Mapping[str, str] | None = None) -> Sailed:
     """Run a command and measure the whole of it.
 
@@ -131,7 +147,7 @@ def machine() -> Figures:
 
 
 def load() -> float | None:
-    """Processes that wanted to run during the last minute: above the number of cores figures get worse."""
+    """Give the processes that wanted to run in the last minute: more than cores make figures worse."""
     return round(os.getloadavg()[0], 2) if hasattr(os, "getloadavg") else None
 
 

@@ -7,16 +7,14 @@ the arrival. So every route is sailed again to the port by `benchmarks.simulator
 from __future__ import annotations
 
 import math
-import time
-from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Final
 
 from benchmarks.accuracy import converged, simulated_h
 from benchmarks.hro import hrosailing_figures
 from benchmarks.isochrones import Route, route_by_weatherrouting
-from benchmarks.measure import Figures, Pace, in_ms, say, stopwatch
-from benchmarks.simulator import Simulator
+from benchmarks.measure import Figures, Pace, attempt, in_ms, say, stopwatch
+from benchmarks.simulator import Simulator, Voyage
 from benchmarks.world import Position, World, open_sea, world
 from seacruise.geodesy import from_mercator, great_circle_m
 from seacruise.progress import Job
@@ -24,8 +22,6 @@ from seacruise.routing.find import Finder, Ledger, Question
 from seacruise.routing.manoeuvres import Course, sail_boards
 from seacruise.routing.resail import resail
 from seacruise.units import METRES_PER_NM, SECONDS_PER_HOUR
-
-HOW_TO: Final = "Not installed: pip install 'seacruise[bench]', or: make bench."
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,8 +55,8 @@ def peers(pace: Pace) -> Figures:
     at = world()
     simulator = Simulator(at.wind, at.yacht)
     figures: Figures = {
-        "about": "sailed_h: the route sailed again to the port by the common simulator, which may tack on every "
-        "leg; gap_percent: against the converged optimum in the same simulator; ratio: computing time "
+        "about": "sailed_h: the route sailed again to the port by the common simulator, which may tack on "
+        "every leg; gap_percent: against the converged optimum in the same simulator; ratio: computing time "
         "against ours with a lattice built anew.",
         "routes": {},
     }
@@ -99,26 +95,21 @@ def _ours(at: World, simulator: Simulator, asked: Question, pace: Pace) -> tuple
     """Figures of the precise preset, its sailed hours, and those of the converged optimum."""
     kept = Finder()
 
-    def answer(finder: Finder) -> Course:
+    def answer(finder: Finder) -> None:
         line = finder.fastest(asked, job=Job(), ledger=Ledger()).line
-        course = sail_boards(asked, line)
-        resail(asked, course, fuel_rate_l_h=0.0)
-        return course
+        resail(asked, sail_boards(asked, line), fuel_rate_l_h=0.0)
 
     anew = stopwatch(lambda: answer(Finder()), runs=pace.runs)
     again = stopwatch(lambda: answer(kept), runs=pace.runs)
     line = kept.fastest(asked, job=Job(), ledger=Ledger()).line
-    course = answer(kept)
+    course = sail_boards(asked, line)
     shown = resail(asked, course, fuel_rate_l_h=0.0)
-    lat, lon = from_mercator(course.x, course.y)
-    sailed = simulator.sail(lat.tolist(), lon.tolist(), asked.departure)
+    sailed = _simulated(simulator, asked, course)
     best = converged(at, asked, line)
     # Of the optimum with and without its boards the better one: nothing is given away.
-    boards = sail_boards(asked, best)
-    lat, lon = from_mercator(boards.x, boards.y)
     optimum_h = min(
         simulated_h(simulator, asked, best),
-        simulator.sail(lat.tolist(), lon.tolist(), asked.departure).hours,
+        _simulated(simulator, asked, sail_boards(asked, best)).hours,
         sailed.hours,
     )
     figures: Figures = {
@@ -131,6 +122,11 @@ def _ours(at: World, simulator: Simulator, asked: Question, pace: Pace) -> tuple
         "computing_lattice_kept": in_ms(again),
     }
     return figures, sailed.hours, optimum_h
+
+
+def _simulated(simulator: Simulator, asked: Question, course: Course) -> Voyage:
+    lat, lon = from_mercator(course.x, course.y)
+    return simulator.sail(lat.tolist(), lon.tolist(), asked.departure)
 
 
 def _judge(
@@ -157,20 +153,6 @@ def _judge(
         "gap_percent": _percent(sailed.hours, optimum_h),
         "slower_than_ours_percent": _percent(sailed.hours, ours_h),
     }
-
-
-def attempt(call: Callable[[], Figures]) -> Figures:
-    """Call another program; whatever it raises is its result, in plain words."""
-    begun = time.perf_counter()
-    try:
-        return call()
-    except ModuleNotFoundError as error:
-        return {"outcome": f"{HOW_TO} ({error})"}
-    except Exception as error:  # noqa: BLE001 - other people's programs raise what they like
-        return {
-            "outcome": f"It raised {type(error).__name__}: {error}",
-            "computing_s": round(time.perf_counter() - begun, 2),
-        }
 
 
 def _percent(hours: float, best: float) -> float:

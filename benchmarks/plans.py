@@ -6,7 +6,6 @@ import statistics
 import sys
 import tempfile
 from collections.abc import Sequence
-from pathlib import Path
 from typing import Final
 
 from benchmarks.measure import Figures, Pace, Sailed, in_ms, run_process, say, within
@@ -64,7 +63,7 @@ def _processes(runs: int) -> Figures:
 
 def _fresh() -> Sailed:
     with tempfile.TemporaryDirectory() as folder:
-        return _sound(run_process(_PLAN, environment={"SEACRUISE_HOME": str(Path(folder))}))
+        return _sound(run_process(_PLAN, environment={"SEACRUISE_HOME": folder}))
 
 
 def _sound(sailed: Sailed) -> Sailed:

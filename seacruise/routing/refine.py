@@ -28,6 +28,12 @@ Array = NDArray[np.float64]
 PIECE_M: Final = 2 * METRES_PER_NM
 """Longest part of a leg that is sailed in the wind of its middle while relaxing [m]."""
 
+CORRIDOR_SPACING_NM: Final = 2.0
+CORRIDOR_COURSES: Final = 72
+CORRIDOR_SIDES: Final = 6.0
+CORRIDOR_LEVELS: Final = 5
+"""The second lattice: spacing [nm], courses, half-width in spacings, and levels near the shore."""
+
 STEPS_NM: Final = (4.0, 2.0, 1.0, 0.5, 0.25, 0.1, 0.05)
 LEGS_NM: Final = (16.0, 12.0, 10.0, 10.0, 10.0, 10.0, 10.0)
 """Trial moves of the waypoints, and the longest legs while they are made [nm]."""
@@ -74,8 +80,11 @@ def timed(waters: Waters, x: Array, y: Array, departure: float) -> Line:
     return Line(x, y, times)
 
 
-def relaxed(waters: Waters, line: Line) -> Line:
-    """Pull a line straight in time; never slower than before."""
+def relaxed(waters: Waters, line: Line, *, split: bool = True) -> Line:
+    """Pull a line straight in time; never slower than before.
+
+    With ``split`` long legs get new waypoints, so that they can bend; else the line keeps its own.
+    """
     from seacruise.routing import _relax
 
     per_nm = METRES_PER_NM / float(scale(from_mercator(0.0, line.y.mean())[0]))
@@ -85,7 +94,7 @@ def relaxed(waters: Waters, line: Line) -> Line:
         float(line.times[0]),
         np.array(STEPS_NM) * per_nm,
         ROUNDS,
-        np.array(LEGS_NM) * per_nm,
+        np.array(LEGS_NM) * per_nm if split else np.full(len(STEPS_NM), np.inf),
         0.5,
         PIECE_M,
         waters.sea.water.arrays,
@@ -147,22 +156,23 @@ def in_corridor(
 
 
 def refine(waters: Waters, first: Line, job: Job) -> tuple[Line, int]:
-    """Refine what the first search found; returns the line and the vertices settled on the way."""
-    best = relaxed(waters, first)
-    settled = 0
-    ends = from_mercator(best.x[[0, -1]], best.y[[0, -1]])
-    distance_nm = float(great_circle_m(ends[0][0], ends[1][0], ends[0][1], ends[1][1])) / METRES_PER_NM
-    spacing = min(2.0, max(0.25, distance_nm / 60))
-    for spacing_nm, width_nm, courses in ((spacing, 6 * spacing, 72),):
-        job.check()
-        levels = Levels(everywhere=4)
-        line, _, count = in_corridor(
-            waters, best, spacing_nm=spacing_nm, courses=courses, width_nm=width_nm, levels=levels
-        )
-        settled += count
-        if line is None:
-            break
-        better = relaxed(waters, line)
-        if better.seconds < best.seconds:
-            best = better
-    return simplified(waters, best), settled
+    """Refine what the first search found; returns the line and the vertices settled on the way.
+
+    Never slower than ``first``, but for the share of `SIMPLIFY`.
+    """
+    lat, lon = from_mercator(first.x[[0, -1]], first.y[[0, -1]])
+    distance_nm = float(great_circle_m(lat[0], lon[0], lat[1], lon[1])) / METRES_PER_NM
+    spacing = min(CORRIDOR_SPACING_NM, max(0.25, distance_nm / 60))
+    line, _, settled = in_corridor(
+        waters,
+        first,
+        spacing_nm=spacing,
+        courses=CORRIDOR_COURSES,
+        width_nm=CORRIDOR_SIDES * spacing,
+        levels=Levels(CORRIDOR_LEVELS),
+    )
+    job.check()
+    best = relaxed(waters, first if line is None or line.seconds > first.seconds else line)
+    job.check()
+    # With fewer waypoints the ones that are left have better places than before.
+    return relaxed(waters, simplified(waters, best), split=False), settled

@@ -10,6 +10,7 @@ from geographiclib.geodesic import Geodesic
 
 from seacruise.errors import InputError
 from seacruise.geodesy import EARTH_RADIUS, from_mercator, great_circle_m, rhumb_course_deg, to_mercator
+from seacruise.ports import find_port, load_ports
 from seacruise.routing import classic, stencil
 from seacruise.routing import lattice as lattices
 from seacruise.routing.field import Handling, speed_table, wind_field
@@ -314,13 +315,23 @@ def test_classic_lattice_is_r1s() -> None:
 
 
 def test_classic_rows_read_as_published() -> None:
+    """``0 --> 1 2``: numbered by the distance from the start, which is 0; the end is the last one."""
     lattice = classic.lattice(open_sea(), SOUTH, NORTH, spacing_nm=8.0)
     rows = classic.rows_as_published(lattice)
-    assert len(rows) == lattice.vertices
-    assert rows[-1] == f"{lattice.end} -->"
-    for v, row in enumerate(rows):
+    assert rows[-1] == f"{lattice.vertices - 1} -->"
+    away = np.hypot(lattice.x - lattice.x[lattice.start], lattice.y - lattice.y[lattice.start])
+    order = sorted(range(lattice.vertices), key=lambda v: (v == lattice.end, away[v], v))
+    assert (order[0], order[-1]) == (lattice.start, lattice.end)
+    for number, (v, row) in enumerate(zip(order, rows, strict=True)):
         name, targets = row.split(" -->")
-        assert int(name) == v
-        assert [int(t) for t in targets.split()] == lattice.target[
-            lattice.first[v] : lattice.first[v + 1]
-        ].tolist()
+        assert int(name) == number
+        led_to = sorted(order[int(t)] for t in targets.split())
+        assert led_to == sorted(lattice.target[lattice.first[v] : lattice.first[v + 1]].tolist())
+
+
+def test_karlskrona_swinoujscie_has_about_r1s_twenty_vertices(baltic: Sea) -> None:
+    ports = load_ports()
+    ends = [baltic.snap(p.lat, p.lon) for p in (find_port(n, ports) for n in ("Karlskrona", "Swinoujscie"))]
+    lattice = classic.lattice(baltic, *((end.lat, end.lon) for end in ends))
+    assert 19 <= lattice.vertices <= 21
+    assert len(classic.rows_as_published(lattice)) == lattice.vertices
