@@ -54,14 +54,18 @@ def main(arguments: Sequence[str]) -> int:
     report["machine"]["load_average_1min_at_end"] = load()
     report["missed_budgets"] = missed(report["sections"])
     print(json.dumps(report, indent=1, ensure_ascii=False))
-    return 0
+    return int(any("failed" in section for section in report["sections"].values()))
 
 
 def _measured(name: str, pace: Pace) -> Figures:
     module, function = SECTIONS[name]
     section: Callable[[Pace], Figures] = getattr(import_module(f"benchmarks.{module}"), function)
     begun = time.perf_counter()
-    figures = section(pace)
+    try:
+        figures = section(pace)
+    except Exception as error:  # noqa: BLE001 - minutes of other sections' results must not be lost
+        say(f"{name}: failed")
+        return {"failed": f"{type(error).__name__}: {error}"}
     took = time.perf_counter() - begun
     say(f"{name}: done in {took:.1f} s")
     return figures | {"section_s": round(took, 1)}

@@ -70,10 +70,10 @@ def converged(at: World, asked: Question, found: Line) -> Line:
     return min(lines, key=lambda one: one.seconds)
 
 
-def shown_h(asked: Question, line: Line) -> float:
-    """Hours that SeaCruise would show for a line: boards put in, sailed again on the forecast itself."""
+def shown(asked: Question, line: Line) -> tuple[float, bool]:
+    """Hours that SeaCruise would show for a line, boards put in and sailed again, and is it free of land."""
     sailed = resail(asked, sail_boards(asked, line), fuel_rate_l_h=0.0)
-    return float(sailed.time[-1] - asked.departure) / SECONDS_PER_HOUR
+    return float(sailed.time[-1] - asked.departure) / SECONDS_PER_HOUR, sailed.land_free
 
 
 def simulated_h(simulator: Simulator, asked: Question, line: Line) -> float:
@@ -98,7 +98,7 @@ def accuracy(pace: Pace) -> Figures:
         asked = at.question(at.water_at(start), at.water_at(end))
         ours = search_as_precise(asked)
         best = converged(at, asked, ours)
-        found_h, optimum_h = shown_h(asked, ours), shown_h(asked, best)
+        (found_h, free), (optimum_h, best_free) = shown(asked, ours), shown(asked, best)
         line_h, best_line_h = (simulated_h(simulator, asked, line) for line in (ours, best))
         figures["passages"][f"{start} - {end}"] = {
             "found_h": round(found_h, 4),
@@ -107,10 +107,12 @@ def accuracy(pace: Pace) -> Figures:
             "line_h": round(line_h, 4),
             "optimum_line_h": round(best_line_h, 4),
             "line_gap_percent": _percent(line_h, best_line_h),
+            "land_free": free and best_free,
         }
-    gaps = [case[key] for case in figures["passages"].values() for key in ("gap_percent", "line_gap_percent")]
-    figures["worst_gap_percent"] = max(gaps)
-    return figures | within(figures, "worst_gap_percent", BUDGET_PERCENT)
+    for name, key in (("shown", "gap_percent"), ("lines", "line_gap_percent")):
+        worst = {"worst_gap_percent": max(case[key] for case in figures["passages"].values())}
+        figures[name] = worst | within(worst, "worst_gap_percent", BUDGET_PERCENT)
+    return figures
 
 
 def _percent(hours: float, optimum: float) -> float:

@@ -32,21 +32,18 @@ class Case:
     ----------
     land
         Held against the coast; else all is water, for programs that know no land.
-    steps_h
-        Time steps of the isochrones [h]: 1 is what the other program does by itself.
     """
 
     start: Position
     end: Position
     land: bool
-    steps_h: tuple[float, ...]
 
 
 CASES: Final = {
-    "open_water_139_nm": Case((55.0, 19.0), (57.3, 19.6), land=False, steps_h=(1.0, 0.5)),
-    "open_water_288_nm": Case((54.56, 18.75), (59.35, 18.75), land=False, steps_h=(1.0,)),
-    "open_water_288_nm_back": Case((59.35, 18.75), (54.56, 18.75), land=False, steps_h=(1.0,)),
-    "with_land_258_nm": Case((54.56, 18.75), (58.85, 18.6), land=True, steps_h=(1.0,)),
+    "open_water_139_nm": Case((55.0, 19.0), (57.3, 19.6), land=False),
+    "open_water_288_nm": Case((54.56, 18.75), (59.35, 18.75), land=False),
+    "open_water_288_nm_back": Case((59.35, 18.75), (54.56, 18.75), land=False),
+    "with_land_258_nm": Case((54.56, 18.75), (58.85, 18.6), land=True),
 }
 
 
@@ -80,14 +77,13 @@ def _compared(at: World, simulator: Simulator, case: Case, pace: Pace) -> Figure
         "optimum_h": round(optimum_h, 4),
         "seacruise": ours,
     }
-    for step_h in case.steps_h[: 1 if pace.quick else None]:
-        say(f"peers: weatherrouting, steps of {step_h:g} h")
+    say("peers: weatherrouting")
 
-        def judged(step_h: float = step_h) -> Figures:
-            route = route_by_weatherrouting(at, simulator, asked, step_h=step_h, land=case.land)
-            return _judge(simulator, asked, route, ours=ours, ours_h=line_h, optimum_h=optimum_h)
+    def judged() -> Figures:
+        route = route_by_weatherrouting(at, simulator, asked, land=case.land)
+        return _judge(simulator, asked, route, ours=ours, ours_h=line_h, optimum_h=optimum_h)
 
-        figures[f"weatherrouting_steps_of_{step_h:g}_h"] = attempt(judged)
+    figures["weatherrouting"] = attempt(judged)
     return figures
 
 

@@ -28,8 +28,9 @@ def render(report: Figures) -> str:
     """All sections of a report that there are, as Markdown."""
     parts = [_machine(report)]
     for name, part in PARTS.items():
-        if name in report["sections"]:
-            parts.append(part(report["sections"][name]))
+        section = report["sections"].get(name)
+        if section is not None:
+            parts.append(f"{name} failed: {section['failed']}" if "failed" in section else part(section))
     return "\n\n".join(parts)
 
 
@@ -39,7 +40,8 @@ def _machine(report: Figures) -> str:
     return (
         f"Measured {report['begun']} in {report['seconds']:.0f} s on {about['processor']}, "
         f"{about['cores']} cores, {about['memory_gb']} GB, {about['system']}, Python {about['python']}, "
-        f"{packages}. Load average {about['load_average_1min']} before and {about['load_average_1min_at_end']} after; the benchmarks "
+        f"{packages}. Load average {about['load_average_1min']} before and "
+        f"{about['load_average_1min_at_end']} after; the benchmarks "
         "alone make 1.0, and what is above the number of cores makes figures worse."
     )
 
@@ -133,9 +135,20 @@ def _plan(section: Figures) -> str:
 
 
 def _accuracy(section: Figures) -> str:
-    keys = ("found_h", "optimum_h", "gap_percent", "line_h", "optimum_line_h", "line_gap_percent")
+    keys = (
+        "found_h",
+        "optimum_h",
+        "gap_percent",
+        "line_h",
+        "optimum_line_h",
+        "line_gap_percent",
+        "land_free",
+    )
     rows = [(name, *(case[key] for key in keys)) for name, case in section["passages"].items()]
-    worst = f"Worst gap {section['worst_gap_percent']} %; budget {_kept(section)}."
+    worst = (
+        f"Worst gap {section['shown']['worst_gap_percent']} %, budget {_kept(section['shown'])}; "
+        f"of the lines {section['lines']['worst_gap_percent']} %, budget {_kept(section['lines'])}."
+    )
     head = ("passage", *(_words(key) for key in keys))
     return f"### Accuracy\n\n{section['about']}\n\n{table(head, rows)}\n\n{worst}"
 

@@ -16,9 +16,10 @@ import numpy as np
 import pytest
 
 from benchmarks import measure
-from benchmarks.__main__ import SECTIONS, missed
+from benchmarks.__main__ import SECTIONS, main, missed
 from benchmarks.isochrones import polar_file
 from benchmarks.simulator import Simulator
+from benchmarks.tables import render
 from seacruise.geodesy import rhumb_distance_m, to_mercator
 from seacruise.routing.find import Question
 from seacruise.routing.manoeuvres import Course, straight_legs
@@ -95,6 +96,30 @@ def test_more_courses_find_no_slower_passage(report: Any) -> None:
 def test_missed_budgets_are_named_by_their_place() -> None:
     figures = {"a": {"b": {"within": False}, "c": {"within": True}}, "d": {"within_memory": False}}
     assert missed(figures) == ["a/b: within", "d: within_memory"]
+
+
+def test_results_become_tables(report: Any) -> None:
+    case = report["sections"]["search"]["cases"]["gdynia_stockholm_12_courses_5_nm"]["goal_directed"]
+    text = render({**report, "sections": {**report["sections"], "plan": {"failed": "OSError: full"}}})
+    row = next(line for line in text.splitlines() if "12 courses 5 nm, goal directed" in line)
+    assert f"| {case['vertices']:,} |" in row
+    assert f"| {case['median_ms']:.2f} |" in row
+    assert ("kept" if case["within"] else "missed") in row
+    assert "plan failed: OSError: full" in text
+    tables = [line for line in text.splitlines() if line.startswith("| --- |")]
+    assert len(tables) == 4
+
+
+def test_failing_section_costs_no_other(monkeypatch: pytest.MonkeyPatch, capsys: Any) -> None:
+    def broken(pace: Any) -> Any:
+        raise OSError(f"disk full after {pace.runs} runs")
+
+    monkeypatch.setattr("benchmarks.rooms.rooms", broken)
+    monkeypatch.setattr("benchmarks.lattices.lattice_builds", lambda pace: {"runs": pace.runs})
+    assert main(["--quick", "rooms", "lattice"]) == 1
+    sections = json.loads(capsys.readouterr().out)["sections"]
+    assert sections["rooms"] == {"failed": "OSError: disk full after 1 runs"}
+    assert sections["lattice"]["runs"] == 1
 
 
 def test_every_section_exists() -> None:

@@ -272,39 +272,51 @@ def sail_legs(t, x, y, piece, wind, speeds):
     return arrival
 
 
-ROW_HEIGHT = np.sqrt(3.0) / 2.0
-
-
 @kernel
-def mark_corridor(lines, reach, side, x0, y0, column0, row0, marked):
-    """Mark the points of an axial frame that lie within ``reach`` of lines ``(n, 4)``.
+def corridor_points(lines, reach, side, x0, y0):
+    """Points of a triangular lattice within ``reach`` of lines ``(n, 4)``; near several lines, repeated.
 
-    ``marked[r, c]`` stands for the axial position ``(column0 + c, row0 + r)`` of a triangular lattice of
-    spacing ``side`` whose origin is ``x0, y0``.
+    The lattice has its origin at ``x0, y0`` and sides of length ``side``.
+
+    Returns
+    -------
+    i, j
+        ``(m,)`` axial positions.
     """
-    rows, columns = marked.shape
-    for k in range(lines.shape[0]):
-        ax, ay = lines[k, 0] - x0, lines[k, 1] - y0
-        dx, dy = lines[k, 2] - lines[k, 0], lines[k, 3] - lines[k, 1]
-        square = dx * dx + dy * dy
-        low = int(np.ceil((min(ay, ay + dy) - reach) / (side * ROW_HEIGHT)))
-        high = int(np.floor((max(ay, ay + dy) + reach) / (side * ROW_HEIGHT)))
-        for row in range(max(low, row0), min(high, row0 + rows - 1) + 1):
-            y = row * side * ROW_HEIGHT
-            # Only the part of the line within reach of this row can mark points of it.
-            first, last = 0.0, 1.0
-            if dy != 0.0:
-                one, two = (y - reach - ay) / dy, (y + reach - ay) / dy
-                first, last = max(0.0, min(one, two)), min(1.0, max(one, two))
-            left = min(ax + first * dx, ax + last * dx) - reach
-            right = max(ax + first * dx, ax + last * dx) + reach
-            begin = max(int(np.ceil(left / side - 0.5 * row)), column0)
-            end = min(int(np.floor(right / side - 0.5 * row)), column0 + columns - 1)
-            for column in range(begin, end + 1):
-                x = (column + 0.5 * row) * side
-                t = 0.0
-                if square > 0.0:
-                    t = min(max(((x - ax) * dx + (y - ay) * dy) / square, 0.0), 1.0)
-                ox, oy = x - ax - t * dx, y - ay - t * dy
-                if ox * ox + oy * oy <= reach * reach:
-                    marked[row - row0, column - column0] = True
+    row_height = side * np.sqrt(3.0) / 2.0
+    count = 0
+    i_out = np.empty(0, dtype=np.int64)
+    j_out = np.empty(0, dtype=np.int64)
+    for fill in (False, True):
+        if fill:
+            i_out = np.empty(count, dtype=np.int64)
+            j_out = np.empty(count, dtype=np.int64)
+            count = 0
+        for k in range(lines.shape[0]):
+            ax, ay = lines[k, 0] - x0, lines[k, 1] - y0
+            dx, dy = lines[k, 2] - lines[k, 0], lines[k, 3] - lines[k, 1]
+            square = dx * dx + dy * dy
+            low = int(np.ceil((min(ay, ay + dy) - reach) / row_height))
+            high = int(np.floor((max(ay, ay + dy) + reach) / row_height))
+            for row in range(low, high + 1):
+                y = row * row_height
+                # Only the part of the line within reach of this row can be near points of it.
+                first, last = 0.0, 1.0
+                if dy != 0.0:
+                    one, two = (y - reach - ay) / dy, (y + reach - ay) / dy
+                    first, last = max(0.0, min(one, two)), min(1.0, max(one, two))
+                left = min(ax + first * dx, ax + last * dx) - reach
+                right = max(ax + first * dx, ax + last * dx) + reach
+                for column in range(
+                    int(np.ceil(left / side - 0.5 * row)), int(np.floor(right / side - 0.5 * row)) + 1
+                ):
+                    x = (column + 0.5 * row) * side
+                    t = 0.0
+                    if square > 0.0:
+                        t = min(max(((x - ax) * dx + (y - ay) * dy) / square, 0.0), 1.0)
+                    ox, oy = x - ax - t * dx, y - ay - t * dy
+                    if ox * ox + oy * oy <= reach * reach:
+                        if fill:
+                            i_out[count], j_out[count] = column, row
+                        count += 1
+    return i_out, j_out

@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 import time
 from collections import OrderedDict
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, Final, Literal
 
@@ -251,35 +252,50 @@ def approach_levels(asked: Question, spacing_nm: float, detail: int) -> Levels:
         0 at first; each one more halves the spacing near the shore and doubles the room around the ways
         out, for ends that were not connected.
     """
+    ports = (asked.start, asked.end)
+    return levels_around(asked.sea, ports, spacing_nm, detail, per_nm=asked.plane_per_nm)
+
+
+def levels_around(
+    sea: Sea, ports: Sequence[Position], spacing_nm: float, detail: int, *, per_nm: float
+) -> Levels:
+    """`approach_levels` of any number of ports; ``per_nm`` is the metres of the plane per nautical mile."""
     everywhere = max(0, math.ceil(math.log2(spacing_nm / SHORE_NM))) + detail
     approaches = max(0, math.ceil(math.log2(spacing_nm / APPROACH_NM)) - everywhere)
-    room = OPEN_WATER_NM * asked.plane_per_nm
-    ways = tuple(asked.sea.ways_out(*port, room_m=room) for port in (asked.start, asked.end))
+    ways = tuple(sea.ways_out(*port, room_m=OPEN_WATER_NM * per_nm) for port in ports)
     return Levels(everywhere, approaches, ways, sides=3.0 * 2**detail)
 
 
 def _reach_needed(asked: Question, waters: Waters, seconds: float) -> float:
-    """Distance [m] that no passage can sail in a time: the ellipse of that size holds all faster ones.
+    """Distance [m] that no passage can sail in a time: the ellipse of that size holds all faster ones."""
+    ends = (asked.start, asked.end)
+    return farthest_m(waters.field, waters.speeds, ends, departure=asked.departure, seconds=seconds)
+
+
+def farthest_m(
+    wind: WindField, speeds: SpeedTable, ends: Sequence[Position], *, departure: float, seconds: float
+) -> float:
+    """Distance [m] that she cannot exceed in a time, as the sum of her distances from all ends.
 
     In each slice of time the fastest she can be is her best speed in the strongest wind then blowing
-    anywhere near.
+    anywhere near. Two ends make an ellipse of what is near; one makes a circle, of that radius.
     """
-    u, v, begin, step, south, per_lat, west, per_lon = waters.field.arrays
+    u, v, begin, step, south, per_lat, west, per_lon = wind.arrays
     lat = south + np.arange(u.shape[1]) / per_lat if per_lat else np.full(u.shape[1], south)
     lon = west + np.arange(u.shape[2]) / per_lon if per_lon else np.full(u.shape[2], west)
     lat, lon = np.meshgrid(lat, lon, indexing="ij")
-    around = great_circle_m(lat, lon, *asked.start) + great_circle_m(lat, lon, *asked.end)
+    around = np.sum([great_circle_m(lat, lon, *end) for end in ends], axis=0)
     cell = (1.0 / per_lat if per_lat else 0.0) * 111_200.0
-    reach = waters.speeds.fastest(waters.field.strongest) * seconds
+    reach = speeds.fastest(wind.strongest) * seconds
     # Winds that are too far away to be met count for nothing, which makes the reach smaller: once more.
     for _ in range(3):
         inside = around <= reach + 2 * cell
-        reach, t = 0.0, asked.departure
-        while t < asked.departure + seconds:
+        reach, t = 0.0, departure
+        while t < departure + seconds:
             k = min(int((t - begin) / step), u.shape[0] - 1)
-            until = min(begin + (k + 1) * step if k < u.shape[0] - 1 else math.inf, asked.departure + seconds)
+            until = min(begin + (k + 1) * step if k < u.shape[0] - 1 else math.inf, departure + seconds)
             strongest = float(np.hypot(u[k][inside], v[k][inside]).max(initial=0.0))
-            reach += waters.speeds.fastest(strongest) * (until - t)
+            reach += speeds.fastest(strongest) * (until - t)
             t = until
     return reach
 

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from seacruise.errors import InputError
 from seacruise.geodesy import EARTH_RADIUS, from_mercator, scale, to_mercator
-from seacruise.routing import stencil
+from seacruise.routing import axial, stencil
 from seacruise.sea import Sea
 from seacruise.units import METRES_PER_NM
 
@@ -26,7 +26,6 @@ MOST_VERTICES: Final = 6_000_000
 """Finer lattices are refused: they would not fit in the memory of a small computer."""
 
 _JOINED: Final = 48
-_PAD: Final = 8
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -91,6 +90,8 @@ class Lattice:
         Vertices of the two ends: the last two.
     spacing_m
         Side of the coarsest triangles [m of the plane].
+    joined
+        Vertices of the further positions that were joined to the lattice, in their order.
     """
 
     x: Array
@@ -103,6 +104,7 @@ class Lattice:
     start: int
     end: int
     spacing_m: float
+    joined: tuple[int, ...] = ()
 
     @property
     def points(self) -> tuple[Array, Array, Array, Array, Array]:
@@ -139,6 +141,7 @@ def build(
     area: Area,
     levels: Levels = NO_LEVELS,
     enter_from: int | None = None,
+    joined: tuple[tuple[float, float], ...] = (),
 ) -> Lattice:
     """Build the lattice between two positions [degrees].
 
@@ -151,6 +154,9 @@ def build(
     enter_from
         R1's way: the start is the lattice's own first vertex, and only that many vertices nearest to the
         end lead into it. By default both ends are joined to every vertex near them that is in sight.
+    joined
+        Further positions [degrees] that become vertices, joined both ways to those in sight, to the start
+        and to the end.
 
     Raises
     ------
@@ -169,24 +175,16 @@ def build(
         for level in range(levels.everywhere + 1, levels.everywhere + levels.approaches + 1):
             around = Area("corridor", way, levels.sides * spacing / 2**level)
             patch = grower.grow(patch, level, offsets, around)
-    return grower.finish(enter_from)
+    jx, jy = to_mercator(*zip(*joined, strict=True)) if joined else (np.empty(0), np.empty(0))
+    return grower.finish(enter_from, np.stack([jx, jy], axis=1))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Patch:
-    """Vertices of one level.
+    """Vertices of one level: where they lie on the lattice, and their numbers."""
 
-    Attributes
-    ----------
-    index
-        Numbers of the vertices by axial position, -1 where there is none; its rim is always empty.
-    column, row
-        Axial position of ``index[0, 0]``.
-    """
-
-    index: NDArray[np.int32]
-    column: int
-    row: int
+    index: axial.Index
+    numbers: NDArray[np.int32]
 
 
 class _Grower:
@@ -207,72 +205,50 @@ class _Grower:
         """Add the vertices of a level that are not there yet, and the edges of its stencil."""
         side = self.spacing / 2**level
         self.finest = min(self.finest, side)
-        patch = self._frame(side, area)
-        rows, columns = self._candidates(patch, side, area)
-        x, y = self._plane(patch, side, rows, columns)
+        i, j = self._candidates(side, area)
+        x = self.start[0] + side * (i + j / 2.0)
+        y = self.start[1] + side * stencil.ROW_HEIGHT * j
         wanted = self._wet(x, y, side if level else None)
         if area.kind == "ellipse":
             wanted[wanted] = _inside_ellipse(area, x[wanted], y[wanted])
-        rows, columns, x, y = rows[wanted], columns[wanted], x[wanted], y[wanted]
-        if above is not None:
-            _share(patch, above, rows, columns)
-        fresh = patch.index[rows, columns] < 0
+        elif area.kind == "rectangle":
+            wanted[wanted] = _inside_rectangle(area, x[wanted], y[wanted])
+        i, j, x, y = i[wanted], j[wanted], x[wanted], y[wanted]
+        numbers = _shared_numbers(above, i, j)
+        fresh = numbers < 0
         number = int(np.count_nonzero(fresh))
         if self.count + number > MOST_VERTICES:
             raise _too_fine()
-        patch.index[rows[fresh], columns[fresh]] = np.arange(self.count, self.count + number, dtype=np.int32)
+        numbers[fresh] = np.arange(self.count, self.count + number, dtype=np.int32)
         self.x.append(x[fresh])
         self.y.append(y[fresh])
         self.count += number
-        self._join(patch.index, rows, columns, offsets)
+        patch = _Patch(axial.Index(i, j), numbers)
+        self._join(patch, i, j, offsets)
         return patch
 
-    def _frame(self, side: float, area: Area) -> _Patch:
-        """Make room for the axial rectangle around an area (its corner on even numbers)."""
+    def _candidates(self, side: float, area: Area) -> tuple[axial.Whole, axial.Whole]:
+        """Axial positions that may become vertices, by row and column."""
+        from seacruise.routing import _kernels as k
+
+        if area.kind == "corridor":
+            return axial.unique(*k.corridor_points(area.lines, area.reach_m, side, *self.start))
         ends, reach = area.lines.reshape(-1, 2), area.reach_m
-        if ends.size == 0:
-            ends, reach = np.array([self.start]), 0.0
         if area.kind == "ellipse":
             flat = float(scale(from_mercator(0.0, np.abs(ends[:, 1]).max())[0])) * 0.95
             length, total = float(np.hypot(*(ends[-1] - ends[0]))), area.reach_m / flat
             reach = max((total - length) / 2, math.sqrt(max(0.0, total**2 - length**2)) / 2)
         low = (ends.min(axis=0) - reach - self.start) / side
         high = (ends.max(axis=0) + reach - self.start) / side
-        j0, j1 = (
-            math.floor(low[1] / stencil.ROW_HEIGHT) - _PAD,
-            math.ceil(high[1] / stencil.ROW_HEIGHT) + _PAD,
-        )
-        i0, i1 = math.floor(low[0] - j1 / 2) - _PAD, math.ceil(high[0] - j0 / 2) + _PAD
-        i0, j0 = i0 - i0 % 2, j0 - j0 % 2
-        shape = (j1 - j0 + 1, i1 - i0 + 1)
-        if shape[0] * shape[1] > 16 * MOST_VERTICES:
+        j0, j1 = math.floor(low[1] / stencil.ROW_HEIGHT), math.ceil(high[1] / stencil.ROW_HEIGHT)
+        i0, i1 = math.floor(low[0] - j1 / 2), math.ceil(high[0] - j0 / 2)
+        if (j1 - j0 + 1) * (i1 - i0 + 1) > 16 * MOST_VERTICES:
             raise _too_fine()
-        return _Patch(np.full(shape, -1, dtype=np.int32), i0, j0)
-
-    def _candidates(
-        self, patch: _Patch, side: float, area: Area
-    ) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
-        """Rows and columns of the frame that may become vertices, its rim left out."""
-        from seacruise.routing import _kernels as k
-
-        marked = np.zeros(patch.index.shape, dtype=bool)
-        if area.kind == "corridor":
-            k.mark_corridor(area.lines, area.reach_m, side, *self.start, patch.column, patch.row, marked)
-        else:
-            marked[:] = True
-            if area.kind == "rectangle":
-                rows, columns = np.nonzero(marked)
-                marked[rows, columns] = _inside_rectangle(area, *self._plane(patch, side, rows, columns))
-        marked[:_PAD], marked[-_PAD:], marked[:, :_PAD], marked[:, -_PAD:] = False, False, False, False
-        rows, columns = np.nonzero(marked)
-        return rows, columns
-
-    def _plane(
-        self, patch: _Patch, side: float, rows: NDArray[np.intp], columns: NDArray[np.intp]
-    ) -> tuple[Array, Array]:
-        i, j = columns + patch.column, rows + patch.row
-        x = self.start[0] + side * (i + j / 2.0)
-        return x, np.asarray(self.start[1] + side * stencil.ROW_HEIGHT * j, dtype=np.float64)
+        j, i = np.mgrid[j0 : j1 + 1, i0 : i1 + 1]
+        # The axial rectangle leans: its corners lie far outside the upright one that is wanted.
+        x = i + j / 2.0
+        upright = (x >= low[0]) & (x <= high[0])
+        return i[upright], j[upright]
 
     def _wet(self, x: Array, y: Array, refined: float | None) -> NDArray[np.bool_]:
         """Which points are water; for a refined level of that spacing, within two sides of the shore."""
@@ -286,37 +262,36 @@ class _Grower:
             wanted &= (value.astype(np.float64) - k.WATER) * self.sea.water.cell < 2.0 * refined
         return np.asarray(wanted)
 
-    def _join(
-        self,
-        index: NDArray[np.int32],
-        rows: NDArray[np.intp],
-        columns: NDArray[np.intp],
-        offsets: NDArray[np.int64],
-    ) -> None:
+    def _join(self, patch: _Patch, i: axial.Whole, j: axial.Whole, offsets: NDArray[np.int64]) -> None:
         """Add the edges that cross no land, both ways; half of the stencil finds them all."""
         xs, ys = np.concatenate(self.x), np.concatenate(self.y)
-        flat, width = index.ravel(), index.shape[1]
-        at = rows * width + columns
-        number = flat[at]
-        for i, j in offsets[: len(offsets) // 2].tolist():
-            other = flat[at + j * width + i]
-            both = other >= 0
-            a, b = number[both], other[both]
+        for di, dj in offsets[: len(offsets) // 2].tolist():
+            place = patch.index.at(i + di, j + dj)
+            both = np.flatnonzero(place >= 0)
+            a, b = patch.numbers[both], patch.numbers[place[both]]
             free = self.sea.clear(np.stack([xs[a], ys[a], xs[b], ys[b]], axis=1))
             self.a.append(a[free])
             self.b.append(b[free])
 
-    def finish(self, enter_from: int | None) -> Lattice:
-        """Join both ends and pack the edges into rows."""
+    def finish(self, enter_from: int | None, joined: Array) -> Lattice:
+        """Join both ends, and further positions ``(m, 2)`` of the plane, and pack the edges into rows."""
         from seacruise.routing import _kernels as k
 
         ends = [self.start, self.end] if enter_from is None else [self.end]
-        x = np.concatenate([*self.x, [end[0] for end in ends]])
-        y = np.concatenate([*self.y, [end[1] for end in ends]])
-        n, count = x.size, x.size - len(ends)
+        x = np.concatenate([*self.x, joined[:, 0], [end[0] for end in ends]])
+        y = np.concatenate([*self.y, joined[:, 1], [end[1] for end in ends]])
+        n, count = x.size, x.size - len(ends) - len(joined)
+        further = range(count, count + len(joined))
+        for number in further:
+            near = self._in_sight(x, y, number, count)
+            self.a.append(np.full(near.size, number, np.int32))
+            self.b.append(near)
         if enter_from is None:
             start = n - 2
-            leaves, enters = (self._in_sight(x, y, end, count) for end in (n - 2, n - 1))
+            leaves, enters = (
+                np.concatenate([self._in_sight(x, y, end, count), self._seen(x, y, end, further)])
+                for end in (n - 2, n - 1)
+            )
         else:
             start = int(np.argmin(np.hypot(x[:count] - self.start[0], y[:count] - self.start[1])))
             leaves, enters = np.empty(0, np.int32), self._in_sight(x, y, n - 1, count, most=enter_from)
@@ -328,14 +303,26 @@ class _Grower:
         source, target = np.concatenate(a), np.concatenate(b)
         first, order = k.sort_rows(source, n)
         lat, lon = from_mercator(x, y)
-        return Lattice(x, y, lat, lon, scale(lat), first, target[order], start, n - 1, self.spacing)
+        return Lattice(
+            x, y, lat, lon, scale(lat), first, target[order], start, n - 1, self.spacing, tuple(further)
+        )
+
+    def _seen(self, x: Array, y: Array, end: int, further: range) -> NDArray[np.int32]:
+        """Those of the further positions to which a straight line leads from an end."""
+        numbers = np.array(further, dtype=np.int32)
+        numbers = numbers[np.hypot(x[numbers] - x[end], y[numbers] - y[end]) > 1e-6]
+        here = np.full(numbers.size, x[end]), np.full(numbers.size, y[end])
+        return np.asarray(numbers[self.sea.clear(np.stack([*here, x[numbers], y[numbers]], axis=1))])
 
     def _in_sight(
         self, x: Array, y: Array, end: int, count: int, *, most: int | None = None
     ) -> NDArray[np.int32]:
         """Vertices that an end is joined to: those within two sides of its triangles, level by level."""
         away = np.hypot(x[:count] - x[end], y[:count] - y[end])
-        nearest = np.argsort(away, kind="stable")
+        nearest = np.flatnonzero(away < 2.1 * self.spacing)
+        if nearest.size < max(_JOINED, most or 0):
+            nearest = np.arange(count)
+        nearest = nearest[np.argsort(away[nearest], kind="stable")]
         if most is not None:
             near = nearest[:most]
         else:
@@ -373,14 +360,14 @@ def _inside_rectangle(area: Area, x: Array, y: Array) -> NDArray[np.bool_]:
     return np.asarray((np.abs(across) <= area.reach_m) & (along >= -1.0) & (along <= length + 1.0))
 
 
-def _share(patch: _Patch, above: _Patch, rows: NDArray[np.intp], columns: NDArray[np.intp]) -> None:
-    """Give the points that a level has in common with the one above it the same numbers."""
-    i, j = columns + patch.column, rows + patch.row
-    even = (i % 2 == 0) & (j % 2 == 0)
-    rows, columns = rows[even], columns[even]
-    r, c = j[even] // 2 - above.row, i[even] // 2 - above.column
-    known = (r >= 0) & (r < above.index.shape[0]) & (c >= 0) & (c < above.index.shape[1])
-    patch.index[rows[known], columns[known]] = above.index[r[known], c[known]]
+def _shared_numbers(above: _Patch | None, i: axial.Whole, j: axial.Whole) -> NDArray[np.int32]:
+    """Numbers of the points that a level has in common with the one above it, -1 for all others."""
+    numbers = np.full(i.size, -1, dtype=np.int32)
+    if above is not None and above.numbers.size:
+        even = np.flatnonzero((i % 2 == 0) & (j % 2 == 0))
+        place = above.index.at(i[even] // 2, j[even] // 2)
+        numbers[even[place >= 0]] = above.numbers[place[place >= 0]]
+    return numbers
 
 
 def chord_m(lat: Array, lon: Array, lat0: float, lon0: float) -> Array:

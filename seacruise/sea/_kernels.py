@@ -107,13 +107,13 @@ def _flood(cells, start, low, new, stack):
 
 @kernel
 def keep_the_sea(cells, every, stack):
-    """Turn all water but the largest connected one into land, its shores into shores of land.
+    """Turn all water but the largest connected one into land, and its shores with it.
 
     Bodies of water are met by looking at every n-th cell of every n-th row: one that is too small to be
     met so is too small to be the sea.
     """
     rows, columns = cells.shape
-    dry = (SHORE, LAND)
+    dry = (LAND, LAND)
     best, best_start = 0, -1
     for row in range(every // 2, rows, every):
         for column in range(every // 2, columns, every):
@@ -132,10 +132,19 @@ def keep_the_sea(cells, every, stack):
             value = cells[row, column]
             if value >= _VISITED:
                 cells[row, column] = value - _VISITED
-            elif value == WATER:
+            elif value >= SHORE_WATER:
                 cells[row, column] = LAND
-            elif value == SHORE_WATER:
-                cells[row, column] = SHORE
+    # A shoreline that no sea is near belongs to a lake, or is a seam between two tiles of land.
+    for row in range(rows):
+        for column in range(columns):
+            if cells[row, column] != SHORE:
+                continue
+            near = False
+            for r in range(max(0, row - 1), min(rows, row + 2)):
+                for c in range(max(0, column - 1), min(columns, column + 2)):
+                    near = near or cells[r, c] >= SHORE_WATER
+            if not near:
+                cells[row, column] = LAND
 
 
 @kernel

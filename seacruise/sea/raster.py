@@ -27,7 +27,7 @@ FINE_CELL_M: Final = 300.0
 COARSE_CELL_M: Final = EARTH_RADIUS * math.radians(1 / globe.CELLS_PER_DEGREE)
 """Cell where only the global mask is known [m of the Mercator plane]."""
 
-RASTER_VERSION: Final = 2
+RASTER_VERSION: Final = 3
 _SAMPLES: Final = 97
 _PARTS: Final = ("cells", "first", "shores")
 
@@ -80,14 +80,11 @@ def build(south: float, west: float, north: float, east: float) -> WaterRaster:
     """Rasterise the land of a rectangle of whole degrees."""
     from seacruise.sea import _kernels as k
 
-    fine = _overlaps_fine(south, west, north, east)
-    cell = FINE_CELL_M if fine else COARSE_CELL_M
-    (x0, x1), (y0, y1) = (c.tolist() for c in to_mercator([south, north], [west, east]))
-    cells = np.full((math.ceil((y1 - y0) / cell), math.ceil((x1 - x0) / cell)), k.WATER, dtype=np.uint8)
-    squares = [-(-n // k.BIN) for n in cells.shape]
-    raster = WaterRaster(
-        x0, y0, cell, cells, np.zeros(squares[0] * squares[1] + 1, np.int64), np.empty((0, 4), np.float32)
-    )
+    x0, y0, cell, shape = _frame(south, west, north, east)
+    cells = np.full(shape, k.WATER, dtype=np.uint8)
+    squares = _squares(shape)
+    first, shores = np.zeros(math.prod(squares) + 1, np.int64), np.empty((0, 4), np.float32)
+    raster = WaterRaster(x0, y0, cell, cells, first, shores)
     inside_fine = (
         west >= coast.FINE_WEST
         and east <= coast.FINE_EAST
@@ -96,7 +93,7 @@ def build(south: float, west: float, north: float, east: float) -> WaterRaster:
     )
     if not inside_fine:
         cells[_global_land(raster, south, west, north, east)] = k.LAND
-    if fine:
+    if _overlaps_fine(south, west, north, east):
         coords, rings, _ = coast.fine_rings()
         x, y = raster.lines(*to_mercator(coords[:, 1], coords[:, 0]))
         k.draw_polygons(x, y, rings, cells, _fine_window(raster))
@@ -108,6 +105,22 @@ def build(south: float, west: float, north: float, east: float) -> WaterRaster:
         # As when mapped from the cache: kernels are compiled for one kind of array only.
         getattr(raster, part).setflags(write=False)
     return raster
+
+
+def _frame(
+    south: float, west: float, north: float, east: float
+) -> tuple[float, float, float, tuple[int, int]]:
+    """South-west corner [m of the plane], cell and shape of the raster of a rectangle."""
+    cell = FINE_CELL_M if _overlaps_fine(south, west, north, east) else COARSE_CELL_M
+    (x0, x1), (y0, y1) = (c.tolist() for c in to_mercator([south, north], [west, east]))
+    return x0, y0, cell, (math.ceil((y1 - y0) / cell), math.ceil((x1 - x0) / cell))
+
+
+def _squares(shape: tuple[int, int]) -> tuple[int, int]:
+    """Rows and columns of the squares into which the shoreline's edges are sorted."""
+    from seacruise.sea import _kernels as k
+
+    return -(-shape[0] // k.BIN), -(-shape[1] // k.BIN)
 
 
 def _overlaps_fine(south: float, west: float, north: float, east: float) -> bool:
@@ -152,15 +165,28 @@ def load(south: float, west: float, north: float, east: float, *, cache_dir: Pat
     south, west = math.floor(south), math.floor(west)
     north, east = math.ceil(north), math.ceil(east)
     folder = cache_dir / f"water-v{RASTER_VERSION}_{south}_{west}_{north}_{east}"
+    x0, y0, cell, shape = _frame(south, west, north, east)
     try:
-        cells, first, shores = (np.load(folder / f"{name}.npy", mmap_mode="r") for name in _PARTS)
-    except (OSError, ValueError):
+        raster = WaterRaster(x0, y0, cell, *(np.load(folder / f"{n}.npy", mmap_mode="r") for n in _PARTS))
+    except (OSError, ValueError, EOFError):
+        raster = None
+    if raster is None or not _is_sound(raster, shape):
         raster = build(south, west, north, east)
         _save(folder, raster)
-        return raster
-    (x0, _), (y0, _) = (c.tolist() for c in to_mercator([south, north], [west, east]))
-    cell = FINE_CELL_M if _overlaps_fine(south, west, north, east) else COARSE_CELL_M
-    return WaterRaster(x0, y0, cell, cells, first, shores)
+    return raster
+
+
+def _is_sound(raster: WaterRaster, shape: tuple[int, int]) -> bool:
+    """Tell whether arrays from a cache fit together: a file may be whole and still another's."""
+    cells, first, shores = raster.arrays
+    return (
+        cells.dtype == np.uint8
+        and cells.shape == shape
+        and first.dtype == np.int64
+        and first.shape == (math.prod(_squares(shape)) + 1,)
+        and shores.dtype == np.float32
+        and shores.shape == (int(first[-1]), 4)
+    )
 
 
 def _save(folder: Path, raster: WaterRaster) -> None:

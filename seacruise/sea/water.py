@@ -123,26 +123,38 @@ class Sea:
         NoPassageError
             Reason ``no-water-path`` when there is none within `FARTHEST_SNAP_NM`.
         """
-        from seacruise.sea import _kernels as k
-
-        cell, cells = self.water.cell, self.water.cells
-        x, y = (float(c) for c in to_mercator(lat, lon))
-        reach = math.ceil(FARTHEST_SNAP_NM * METRES_PER_NM / float(scale(lat)) / cell)
-        column, row = (math.floor(float(c)) for c in self.water.lines(np.array(x), np.array(y)))
-        r0, c0 = max(0, row - reach), max(0, column - reach)
-        window = cells[r0 : max(0, row + reach + 1), c0 : max(0, column + reach + 1)]
-        rows, columns = np.nonzero(window >= k.WATER)
-        if rows.size == 0:
+        # Most harbours have water within a mile or two: the whole window takes 20 ms to look at.
+        found = self._nearest_water(lat, lon, FARTHEST_SNAP_NM / 16)
+        found = found or self._nearest_water(lat, lon, FARTHEST_SNAP_NM)
+        if found is None:
             raise NoPassageError(
                 f"{name or format_position(lat, lon)} has no water connected with the open sea within "
                 f"{FARTHEST_SNAP_NM:.0f} nm; choose a port on the coast or a position at sea.",
                 reason="no-water-path",
                 place=(lat, lon),
             )
+        return found
+
+    def _nearest_water(self, lat: float, lon: float, within_nm: float) -> Snap | None:
+        """Nearest cell of water in a square around a position, if no nearer one can lie outside it."""
+        from seacruise.sea import _kernels as k
+
+        cell, cells = self.water.cell, self.water.cells
+        x, y = (float(c) for c in to_mercator(lat, lon))
+        reach = math.ceil(within_nm * METRES_PER_NM / float(scale(lat)) / cell)
+        column, row = (math.floor(float(c)) for c in self.water.lines(np.array(x), np.array(y)))
+        r0, c0 = max(0, row - reach), max(0, column - reach)
+        window = cells[r0 : max(0, row + reach + 1), c0 : max(0, column + reach + 1)]
+        rows, columns = np.nonzero(window >= k.WATER)
+        if rows.size == 0:
+            return None
         px = self.water.x0 + (columns + c0 + 0.5) * cell
         py = self.water.y0 + (rows + r0 + 0.5) * cell
-        best = int(np.argmin((px - x) ** 2 + (py - y) ** 2))
-        if window[rows[best], columns[best]] >= k.WATER and cells[row, column] >= k.WATER:
+        away = (px - x) ** 2 + (py - y) ** 2
+        best = int(np.argmin(away))
+        if within_nm < FARTHEST_SNAP_NM and away[best] > (reach * cell) ** 2:
+            return None
+        if cells[row, column] >= k.WATER:
             return Snap(lat, lon, 0.0)
         found_lat, found_lon = (float(c) for c in from_mercator(px[best], py[best]))
         return Snap(

@@ -1,0 +1,363 @@
+"""Which ports she reaches and comes back from, and the latest departure that is in time.
+
+``ReachRequest -> Sea -> Lattice -> Wind -> search, forwards and backwards -> Reach``
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+from datetime import UTC, datetime, timedelta
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+
+from seacruise.errors import InputError, NoPassageError
+from seacruise.geodesy import great_circle_m
+from seacruise.model import Options, Passage, PassageRequest, Place
+from seacruise.passage import (
+    NOBODY,
+    SAME_PLACE_NM,
+    check_cover,
+    check_options,
+    departure_of,
+    how_of,
+    place_of,
+    plan,
+    question_of,
+    the_finder,
+)
+from seacruise.ports import Port
+from seacruise.progress import Job
+from seacruise.settings import Settings
+from seacruise.units import METRES_PER_NM, SECONDS_PER_HOUR
+
+if TYPE_CHECKING:
+    from seacruise.routing.reach import Explored, Isochrone, Outing
+    from seacruise.sea import Sea
+    from seacruise.weather.wind import Forecast, Wind
+    from seacruise.yacht.polar import Polar
+
+__all__ = ["LONGEST_H", "SCHEMA", "PortReached", "Reach", "ReachRequest", "plan_arrival", "reach"]
+
+SCHEMA: Final = "seacruise.reach/1"
+
+LONGEST_H: Final = 14 * 24.0
+"""More time than this is not asked for [h]: no wind is known so far ahead."""
+
+WITHIN_S: Final = 300.0
+"""A later departure than the one found by this much is too late [s]."""
+
+_STEPS_H: Final = (0.25, 0.5, 1, 2, 3, 6, 12, 24, 48)
+_MOST_LINES: Final = 8
+_MOST_PLANS: Final = 14
+
+
+# --------------------------------------------------------------------------------------------- reach
+
+
+@dataclass(frozen=True, slots=True)
+class ReachRequest:
+    """What a sailor asks: where can I get in the days I have?
+
+    Attributes
+    ----------
+    hours
+        Time that there is in all [h].
+    departure
+        Timezone-aware; ``None`` means the next full hour that the forecast covers.
+    stay_h
+        Time in a port before sailing back [h].
+    options
+        How she is sailed; of how it is searched, ``directions`` and ``spacing_nm`` count.
+    """
+
+    start: Port
+    yacht: Polar
+    wind: Wind
+    hours: float
+    departure: datetime | None = None
+    stay_h: float = 0.0
+    options: Options = field(default_factory=Options)
+
+
+@dataclass(frozen=True, slots=True)
+class PortReached:
+    """A port that is reached in time.
+
+    Attributes
+    ----------
+    lat, lon
+        Water of the port [degrees], where the way ends.
+    distance_nm
+        Length of the way there, without tacks [nm].
+    out_h, back_h
+        Duration of the way there, and of the way back when she leaves after her stay [h]; ``None`` when
+        she does not come back at all.
+    leave_by
+        Latest departure that is back in time; ``None`` when there is none after the arrival.
+    return_fits
+        Whether out, stay and back fit into the time there is.
+    beyond_forecast_h
+        Hours of out and back that are sailed on wind held beyond the forecast.
+    """
+
+    port: Port
+    lat: float
+    lon: float
+    distance_nm: float
+    out_h: float
+    arrival: datetime
+    back_h: float | None
+    leave_by: datetime | None
+    return_fits: bool
+    beyond_forecast_h: float
+
+
+@dataclass(frozen=True, slots=True)
+class Reach:
+    """All ports that are reached, nearest in time first, and the water that is.
+
+    Attributes
+    ----------
+    unreachable
+        How many ports of the list are not reached in time, or not by water.
+    isochrones
+        The water reached within some times, least first.
+    notices
+        Sentences that a sailor must read with it.
+    """
+
+    start: Place
+    departure: datetime
+    hours: float
+    stay_h: float
+    yacht: str
+    forecast: Forecast
+    ports: tuple[PortReached, ...]
+    unreachable: int
+    isochrones: tuple[Isochrone, ...] = field(default=(), repr=False, compare=False)
+    notices: tuple[str, ...] = ()
+
+
+def reach(
+    request: ReachRequest, *, ports: Sequence[Port], settings: Settings, job: Job = NOBODY
+) -> Reach:
+    """Find every port that can be reached, the time there and the time back.
+
+    The times are those of the lattice, in the wind of their hour; `plan` finds a passage that is a little
+    faster, and sails it again.
+
+    Raises
+    ------
+    InputError
+        A number or an option makes no sense.
+    NoPassageError
+        The forecast does not cover the start or the departure, or there is no water.
+    CancelledError
+        The job was cancelled.
+    """
+    from seacruise.routing import reach as routing
+
+    _check(request)
+    departure = departure_of(request.wind, request.departure)
+    check_cover(request.wind, request.start)
+    job.report("sea", None, "Reading the sea")
+    sea = _sea_around(request, ports, settings)
+    start = place_of(request.start, sea.snap(request.start.lat, request.start.lon, name=request.start.name))
+    asked = _outing(request, sea, start, departure)
+    near = _within(asked, request.wind, start, ports)
+    explored = routing.explore(asked, [(place.lat, place.lon) for _, place in near], job)
+    job.report("search", None, "Drawing lines of equal time")
+    lines = routing.isochrones(
+        explored.lattice,
+        sea,
+        explored.out.arrival,
+        departure=asked.departure,
+        hours=_hours_drawn(request.hours),
+    )
+    found = [
+        _port_reached(request, asked, explored, k, near[k])
+        for k in np.argsort(explored.arrival, kind="stable").tolist()
+        if np.isfinite(explored.arrival[k])
+    ]
+    others = sum(port.name != request.start.name for port in ports)
+    return Reach(
+        start,
+        departure,
+        request.hours,
+        request.stay_h,
+        request.yacht.name,
+        request.wind.forecast,
+        tuple(found),
+        others - len(found),
+        tuple(lines),
+        _notices(request, start, found),
+    )
+
+
+def _check(request: ReachRequest) -> None:
+    check_options(request.options)
+    if not 0.0 < request.hours <= LONGEST_H:
+        raise InputError(f"{request.hours:g} hours cannot be looked at; give more than 0 and at most {LONGEST_H:g}.")
+    if not 0.0 <= request.stay_h < request.hours:
+        raise InputError(
+            f"A stay of {request.stay_h:g} h does not fit into {request.hours:g} h; give less, or more time."
+        )
+
+
+def farthest_nm(yacht: Polar, hours: float) -> float:
+    """Distance that a yacht cannot exceed in any wind [nm]."""
+    return float(yacht.boat_speed.max()) / METRES_PER_NM * hours * SECONDS_PER_HOUR
+
+
+def _sea_around(request: ReachRequest, ports: Sequence[Port], settings: Settings) -> Sea:
+    """Read the sea around the start, as far as the ports she may reach lie."""
+    from seacruise.sea import Sea
+
+    start = request.start
+    away = [float(great_circle_m(start.lat, start.lon, p.lat, p.lon)) / METRES_PER_NM for p in ports]
+    most = farthest_nm(request.yacht, request.hours)
+    margin = 1.0 + max((nm for nm in away if nm <= most), default=0.0) / 60
+    return Sea.around((start.lat,), (start.lon,), margin_deg=margin, cache_dir=settings.cache_dir)
+
+
+def _outing(request: ReachRequest, sea: Sea, start: Place, departure: datetime) -> Outing:
+    from seacruise.routing.field import COARSE_SLICE_S, speed_table, wind_field
+    from seacruise.routing.reach import Outing
+
+    options = request.options
+    return Outing(
+        sea,
+        wind_field(request.wind, slice_s=COARSE_SLICE_S, since=departure.timestamp()),
+        speed_table(request.yacht, how_of(options).handling),
+        (start.lat, start.lon),
+        departure.timestamp(),
+        request.hours * SECONDS_PER_HOUR,
+        stay=request.stay_h * SECONDS_PER_HOUR,
+        directions=options.directions,
+        spacing_nm=options.spacing_nm,
+    )
+
+
+def _within(asked: Outing, wind: Wind, start: Place, ports: Sequence[Port]) -> list[tuple[Port, Place]]:
+    """Ports that may be reached, each with the water it is left from."""
+    radius = asked.radius_m
+    found = []
+    for port in ports:
+        away = float(great_circle_m(start.lat, start.lon, port.lat, port.lon))
+        at_start = min(away, float(great_circle_m(start.port_lat, start.port_lon, port.lat, port.lon)))
+        if at_start < SAME_PLACE_NM * METRES_PER_NM or not bool(wind.covers(port.lat, port.lon)):
+            continue
+        # A harbour up a river is farther away than its water.
+        if away > radius + 40 * METRES_PER_NM:
+            continue
+        try:
+            place = place_of(port, asked.sea.snap(port.lat, port.lon, name=port.name))
+        except NoPassageError:
+            continue
+        if float(great_circle_m(start.lat, start.lon, place.lat, place.lon)) <= radius:
+            found.append((port, place))
+    return found
+
+
+def _port_reached(
+    request: ReachRequest, asked: Outing, explored: Explored, number: int, where: tuple[Port, Place]
+) -> PortReached:
+    port, place = where
+    arrival, home = float(explored.arrival[number]), float(explored.home[number])
+    leaves = arrival + asked.stay
+    horizon = max(request.wind.forecast.valid_to.timestamp(), asked.departure)
+    leave_by = float(explored.leave_by[number])
+    fits = home <= asked.deadline
+    held = max(0.0, arrival - horizon)
+    if math.isfinite(home):
+        held += max(0.0, home - max(leaves, horizon))
+    return PortReached(
+        port=port,
+        lat=place.lat,
+        lon=place.lon,
+        distance_nm=float(explored.sailed_m[number]) / METRES_PER_NM,
+        out_h=(arrival - asked.departure) / SECONDS_PER_HOUR,
+        arrival=datetime.fromtimestamp(arrival, UTC),
+        back_h=(home - leaves) / SECONDS_PER_HOUR if math.isfinite(home) else None,
+        leave_by=datetime.fromtimestamp(max(leave_by, leaves), UTC) if fits else None,
+        return_fits=fits,
+        beyond_forecast_h=held / SECONDS_PER_HOUR,
+    )
+
+
+def _hours_drawn(hours: float) -> list[float]:
+    """Times for which a line is drawn: even hours, and the whole time."""
+    step = next((s for s in _STEPS_H if hours / s <= _MOST_LINES), _STEPS_H[-1])
+    return [k * step for k in range(1, math.ceil(hours / step - 1e-9))] + [hours]
+
+
+def _notices(request: ReachRequest, start: Place, found: Sequence[PortReached]) -> tuple[str, ...]:
+    notice = request.wind.forecast.notice
+    said = [notice] if notice else []
+    if start.snapped_nm > SAME_PLACE_NM:
+        said.append(
+            f"She sets out {start.snapped_nm:.1f} nm from {start.name}, at the nearest water of the chart that "
+            "is connected with the open sea."
+        )
+    held = sum(port.beyond_forecast_h > 1 / 60 for port in found)
+    if held:
+        ways = "1 port is" if held == 1 else f"{held} ports are"
+        said.append(
+            f"The way to or from {ways} sailed in part in the last known wind, held beyond the end of the "
+            "forecast."
+        )
+    return tuple(said)
+
+
+# ------------------------------------------------------------------------------ arriving by a given time
+
+
+def plan_arrival(
+    request: PassageRequest, arrive_by: datetime, *, settings: Settings, job: Job = NOBODY
+) -> Passage:
+    """Find the passage that leaves as late as it can and still arrives by a time.
+
+    A reverse search on the lattice of the first passage gives the first guess. Passages are then planned in
+    full, and sailed again, until one arrives in time and the one that leaves `WITHIN_S` later does not.
+
+    Parameters
+    ----------
+    request
+        Its departure is the earliest that will do; ``None`` means the next full hour of the forecast.
+    arrive_by
+        Timezone-aware.
+
+    Raises
+    ------
+    NoPassageError
+        Reason ``outside-forecast`` when not even the earliest departure arrives in time; else as `plan`.
+    InputError, CancelledError
+        As `plan`.
+    """
+    if arrive_by.tzinfo is None:
+        raise InputError("The arrival needs a time zone; give it in UTC, for example 2016-11-22T18:00Z.")
+    deadline = arrive_by.astimezone(UTC)
+    earliest = departure_of(request.wind, request.departure)
+    late = (
+        f"She cannot be there by {deadline:%Y-%m-%d %H:%M} UTC: the earliest departure with a forecast is "
+        f"{earliest:%Y-%m-%d %H:%M} UTC"
+    )
+    if deadline <= earliest:
+        raise NoPassageError(f"{late}; choose a later arrival.", reason="outside-forecast")
+
+    def sail(departure: datetime) -> Passage:
+        return plan(replace(request, departure=departure), settings=settings, job=job)
+
+    best = sail(earliest)
+    if best.arrival > deadline:
+        raise NoPassageError(
+            f"{late}, and she arrives at {_minute_up(best.arrival):%Y-%m-%d %H:%M} UTC at the earliest; "
+            "choose a later arrival.",
+            reason="outside-forecast",
+        )
+    last = min(deadline, request.wind.forecast.valid_to)
+    trial = _guess(request, best, deadline, settings) or best.departure + (deadline - best.arrival)
+    return _latest(sail, best, deadline=deadline, last=last, trial=trial)

@@ -1,0 +1,165 @@
+"""Compiled loops of the reverse search: the latest departure that still arrives by a given time.
+
+The mirror of `seacruise.routing._kernels`: an edge is sailed backwards through the same pieces and the same
+slices of time, at the same speeds.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from seacruise.compiled import inlined, kernel
+from seacruise.routing._kernels import STILL, _sift_down, _sift_up, boat_speed, sail_edge
+
+MARGIN = 1e-3
+"""Labels are this much [s] before the very last moment: rounding must not turn it into a missed calm."""
+
+TRIES = 12
+"""How often a departure is put forward, twice as far each time, until sailing forwards agrees with it."""
+
+
+@inlined
+def sail_line_back(t, lat0, lon0, lat1, lon1, length, east, north, piece, wind, speeds):
+    """Latest departure [s] on a straight leg that arrives at its end by ``t``; -inf if there is none."""
+    u, v, t0, step, south, per_lat, west, per_lon = wind
+    slices, rows, columns = u.shape
+    pieces = int(length / piece) + 1
+    # The slice that ends at or after t: what is sailed backwards is sailed before t.
+    k = min(max(int((t - t0) / step), 0), slices - 1)
+    while k < slices - 1 and t0 + (k + 1) * step < t:
+        k += 1
+    while k > 0 and t0 + k * step >= t:
+        k -= 1
+    for p in range(pieces - 1, -1, -1):
+        f = (p + 0.5) / pieces
+        y = min(max((lat0 + (lat1 - lat0) * f - south) * per_lat, 0.0), rows - 1.0)
+        x = min(max((lon0 + (lon1 - lon0) * f - west) * per_lon, 0.0), columns - 1.0)
+        r, c = min(int(y), rows - 2), min(int(x), columns - 2)
+        fy, fx = y - r, x - c
+        w00, w01, w10, w11 = (1 - fy) * (1 - fx), (1 - fy) * fx, fy * (1 - fx), fy * fx
+        rest = length / pieces
+        while True:
+            uu = u[k, r, c] * w00 + u[k, r, c + 1] * w01 + u[k, r + 1, c] * w10 + u[k, r + 1, c + 1] * w11
+            vv = v[k, r, c] * w00 + v[k, r, c + 1] * w01 + v[k, r + 1, c] * w10 + v[k, r + 1, c + 1] * w11
+            speed = boat_speed(uu, vv, east, north, speeds)
+            if speed < 0.0:
+                return -np.inf
+            if k == slices - 1 and speed <= STILL:
+                # Forwards this calm never ends: she must have been through before it began.
+                speed = 0.0
+            if k == 0:
+                if speed <= STILL:
+                    return -np.inf
+                t -= rest / speed
+                break
+            since = t0 + k * step
+            if speed * (t - since) >= rest:
+                t -= rest / speed
+                break
+            rest -= speed * (t - since)
+            t = since
+            k -= 1
+    return t
+
+
+@inlined
+def sail_edge_back(t, a, b, points, piece, wind, speeds):
+    """`sail_line_back` from vertex a to b of ``points`` = (x, y, lat, lon, scale), each ``(n,)``."""
+    x, y, lat, lon, scale = points
+    dx, dy = x[b] - x[a], y[b] - y[a]
+    span = np.sqrt(dx * dx + dy * dy)
+    if span == 0.0:
+        return t
+    length = span * 0.5 * (scale[a] + scale[b])
+    return sail_line_back(
+        t, lat[a], lon[a], lat[b], lon[b], length, dx / span, dy / span, piece, wind, speeds
+    )
+
+
+@inlined
+def confirmed(leave, t, a, b, points, piece, wind, speeds):
+    """Put the departure of an edge forward until the forward integrator itself arrives by ``t``."""
+    if leave == -np.inf or leave == t:
+        return leave
+    earlier = MARGIN
+    for _ in range(TRIES):
+        if sail_edge(leave, a, b, points, piece, wind, speeds) <= t:
+            return leave - MARGIN
+        leave -= earlier
+        earlier *= 2.0
+    return -np.inf
+
+
+@kernel
+def edge_departure(t, a, b, points, piece, wind, speeds):
+    """Latest departure along one edge, for callers outside compiled code: the tests."""
+    leave = sail_edge_back(t, a, b, points, piece, wind, speeds)
+    return confirmed(leave, t, a, b, points, piece, wind, speeds)
+
+
+@kernel
+def search_back(end, deadline, earliest, points, edges, piece, wind, speeds):
+    """Time-dependent Dijkstra on latest departures, from the end backwards, with an indexed 4-ary heap.
+
+    Parameters
+    ----------
+    end
+        Vertex to be reached by ``deadline`` [s].
+    earliest
+        Departures before this [s] are of no use; the search ends there.
+    edges
+        ``(first, source)``: compressed sparse rows of the edges that lead INTO each vertex.
+
+    Returns
+    -------
+    departure, after, settled
+        ``(n,)`` latest departure [s] (-inf where there is none), ``(n,)`` next vertex (-1), and a count.
+    """
+    first, source = edges
+    n = first.size - 1
+    departure = np.full(n, -np.inf)
+    # The heap gives the smallest key: departures with their sign turned.
+    keys = np.full(n, np.inf)
+    after = np.full(n, -1, dtype=np.int32)
+    heap = np.empty(n, dtype=np.int32)
+    place = np.full(n, -1, dtype=np.int32)
+    done = np.zeros(n, dtype=np.bool_)
+    departure[end] = deadline
+    keys[end] = -deadline
+    heap[0] = end
+    place[end] = 0
+    size = 1
+    settled = 0
+    while size > 0:
+        b = heap[0]
+        size -= 1
+        if size > 0:
+            heap[0] = heap[size]
+            _sift_down(heap, keys, place, size)
+        done[b] = True
+        t = departure[b]
+        if t < earliest:
+            break
+        settled += 1
+        for e in range(first[b], first[b + 1]):
+            a = source[e]
+            if done[a]:
+                continue
+            leave = sail_edge_back(t, a, b, points, piece, wind, speeds)
+            if leave <= departure[a]:
+                continue
+            leave = confirmed(leave, t, a, b, points, piece, wind, speeds)
+            if leave > departure[a]:
+                if place[a] < 0:
+                    heap[size] = a
+                    place[a] = size
+                    size += 1
+                departure[a] = leave
+                after[a] = b
+                keys[a] = -leave
+                _sift_up(heap, keys, place, place[a])
+    for v in range(n):
+        if not done[v] or departure[v] < earliest:
+            departure[v] = -np.inf
+            after[v] = -1
+    return departure, after, settled
