@@ -24,21 +24,20 @@ def check_target(path: Path, what: str) -> None:
     """
     folder = path.absolute().parent
     if path.is_dir():
-        raise InputError(f"The {what} cannot be written to {path}: that is a folder; add a file name.")
+        raise _not_written(path, what, "that is a folder; add a file name")
+    if _is_device(path):
+        return
     if not folder.is_dir():
-        raise InputError(
-            f"The {what} cannot be written to {path}: there is no folder {folder}; create it first."
-        )
+        raise _not_written(path, what, f"there is no folder {folder}; create it first")
     if not os.access(folder, os.W_OK):
-        raise InputError(
-            f"The {what} cannot be written to {path}: the folder {folder} is write-protected; choose another."
-        )
+        raise _not_written(path, what, f"the folder {folder} is write-protected; choose another")
 
 
 def write_atomically(path: Path, content: str | bytes, *, what: str) -> None:
     """Write a whole file: into a temporary neighbour first, which then takes the name.
 
-    Whatever goes wrong, a file of that name from before stays as it was.
+    Whatever goes wrong, a file of that name from before stays as it was. A link is followed, and a device
+    or pipe such as ``/dev/stdout`` is written into, never replaced.
 
     Parameters
     ----------
@@ -54,25 +53,35 @@ def write_atomically(path: Path, content: str | bytes, *, what: str) -> None:
     """
     check_target(path, what)
     data = content.encode("utf-8") if isinstance(content, str) else content
+    target = path.resolve() if path.is_symlink() else path
     temporary: Path | None = None
     try:
+        if _is_device(target):
+            target.write_bytes(data)
+            return
         with tempfile.NamedTemporaryFile(
-            dir=path.absolute().parent, prefix=f".{path.name}.", suffix=".part", delete=False
+            dir=target.absolute().parent, prefix=f".{target.name}.", suffix=".part", delete=False
         ) as file:
             temporary = Path(file.name)
             file.write(data)
             file.flush()
             os.fsync(file.fileno())
         # Temporary files are private; an export is as readable as any new file of this user.
-        temporary.chmod(_mode_for(path))
-        temporary.replace(path)
+        temporary.chmod(_mode_for(target))
+        temporary.replace(target)
     except OSError as error:
         if temporary is not None:
             temporary.unlink(missing_ok=True)
         reason = (error.strerror or str(error)).lower()
-        raise InputError(
-            f"The {what} cannot be written to {path}: {reason}; choose another place or make room there."
-        ) from error
+        raise _not_written(path, what, f"{reason}; choose another place or make room there") from error
+
+
+def _not_written(path: Path, what: str, why: str) -> InputError:
+    return InputError(f"The {what} cannot be written to {path}: {why}.", reason="not-written")
+
+
+def _is_device(path: Path) -> bool:
+    return path.exists() and not path.is_file() and not path.is_dir()
 
 
 def _mode_for(path: Path) -> int:

@@ -1,4 +1,4 @@
-"""The command line: ``seacruise plan``, ``window``, ``polar``, ``weather``, ``ports``; alone, the window.
+"""The command line: ``seacruise plan``, ``reach``, ``window``, ``polar``, ...; alone, the window.
 
 Nothing heavy is imported here, so that ``--help`` answers at once; each sub-command loads what it needs.
 """
@@ -15,7 +15,7 @@ from io import TextIOWrapper
 from itertools import pairwise
 
 import seacruise
-from seacruise.commands import plan, polar, ports, weather, window
+from seacruise.commands import plan, polar, ports, reach, weather, window
 from seacruise.commands.common import Parser, say
 from seacruise.errors import CancelledError, NoPassageError, SeaCruiseError
 
@@ -31,7 +31,7 @@ def build_parser() -> argparse.ArgumentParser:
     )
     parser.add_argument("--version", action="version", version=f"SeaCruise {seacruise.__version__}")
     commands = parser.add_subparsers(dest="command", metavar="COMMAND")
-    for command in (plan, window, polar, weather, ports):
+    for command in (plan, reach, window, polar, weather, ports):
         command.add_parser(commands)
     return parser
 
@@ -77,7 +77,7 @@ def _dispatch(words: list[str]) -> int:
     parser = build_parser()
     arguments = parser.parse_args(_guard_southern_latitudes(words))
     if arguments.command is None:
-        parser.error("a command is missing: plan, window, polar, weather or ports")
+        parser.error("a command is missing: plan, reach, window, polar, weather or ports")
     return int(arguments.run(arguments))
 
 

@@ -50,7 +50,7 @@ class NoPassageError(SeaCruiseError):
 
 
 class WeatherError(SeaCruiseError):
-    """A weather service failed. (A file that cannot be used is an `InputError`.)
+    """A weather service failed; a file that cannot be used is an `InputError`.
 
     Reasons: ``no-network``, ``no-key``, ``bad-key``, ``quota``, ``bad-response``, ``timeout``.
     """

@@ -9,7 +9,10 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from seacruise.errors import InputError
 from seacruise.ports import Port
+from seacruise.routing.stencil import COURSES
+from seacruise.sea.zones import NO_ZONES, Zones
 from seacruise.units import SECONDS_PER_HOUR
 
 if TYPE_CHECKING:
@@ -60,6 +63,26 @@ class Options:
     max_wind_kn: float | None = None
 
 
+def check_options(options: Options) -> None:
+    """Refuse options that make no sense."""
+
+    def within(value: float | None, low: float, high: float, what: str) -> None:
+        if value is not None and not low <= value <= high:
+            raise InputError(f"{what} of {value:g} is out of range; give {low:g} to {high:g}.")
+
+    within(options.percent_of_polar, 10.0, 200.0, "A percentage of the polar")
+    within(options.spacing_nm, 0.05, 100.0, "A spacing [nm]")
+    within(options.max_wind_kn, 1.0, 200.0, "A wind limit [kn]")
+    within(options.motor_below_kn, 0.0, 50.0, "A boat speed [kn] to start the engine below")
+    within(options.motor_speed_kn, 0.1, 50.0, "A speed under engine [kn]")
+    within(options.fuel_rate_l_h, 0.0, 1000.0, "A fuel rate [l/h]")
+    if options.directions is not None and options.directions not in COURSES:
+        choice = ", ".join(map(str, COURSES[1:]))
+        raise InputError(f"A lattice cannot have {options.directions} directions; choose one of {choice}.")
+    if options.preset == "classic" and options.directions not in {None, 12}:
+        raise InputError("The classic preset has 12 directions; choose --preset precise for more.")
+
+
 @dataclass(frozen=True, slots=True)
 class PassageRequest:
     """What a sailor asks.
@@ -68,6 +91,8 @@ class PassageRequest:
     ----------
     departure
         Timezone-aware; ``None`` means the next full hour that the forecast covers.
+    zones
+        Areas to keep out of, see `seacruise.sea.zones`.
     """
 
     start: Port
@@ -76,6 +101,7 @@ class PassageRequest:
     wind: Wind
     departure: datetime | None = None
     options: Options = field(default_factory=Options)
+    zones: Zones = NO_ZONES
 
 
 @dataclass(frozen=True, slots=True)

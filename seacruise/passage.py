@@ -26,6 +26,7 @@ from seacruise.model import (
     SearchReport,
     Track,
     Waypoint,
+    check_options,
 )
 from seacruise.ports import Port
 from seacruise.progress import Job
@@ -60,6 +61,9 @@ SAME_PLACE_NM = 0.1
 
 TELL_SNAP_NM = 0.1
 """A port moved farther than this to reach water is worth a sentence [nm]."""
+
+LIMIT_SHARES = (1.0, 0.97, 0.94, 0.9)
+"""Shares of a wind limit with which to search, until the passage keeps it when sailed again."""
 
 NOBODY = Job()
 """A job that nobody watches or cancels."""
@@ -101,24 +105,70 @@ def plan(request: PassageRequest, *, settings: Settings, job: Job = NOBODY) -> P
     from seacruise.routing.find import Ledger, Question
 
     ledger = Ledger()
-    _check_options(request.options)
-    departure = _departure(request)
+    check_options(request.options)
+    departure = departure_of(request.wind, request.departure)
     job.report("sea", None, "Reading the sea")
-    sea, ends = _waters(request, settings)
+    sea, ends = waters_of(request, settings)
+    job.check()
     ledger.lap("sea")
-    _check_cover(request.wind, request.start, request.end)
+    check_cover(request.wind, request.start, request.end)
     start, end = ((place.lat, place.lon) for place in ends)
     asked = Question(
-        sea, request.wind, request.yacht, _how(request.options), start, end, departure.timestamp()
+        sea,
+        request.wind,
+        request.yacht,
+        how_of(request.options),
+        start,
+        end,
+        departure.timestamp(),
+        request.zones,
     )
-    found = _the_finder().fastest(asked, job=job, ledger=ledger)
+    _check_zones(asked, request)
+    found, course, sailed = _find_within_limits(asked, request.options.fuel_rate_l_h, job, ledger)
     job.check()
-    job.report("check", None, "Sailing the passage again")
-    course, sailed = _sail_again(asked, found.line, request.options.fuel_rate_l_h)
     return _Answer(request, ends, departure, found, course, sailed).passage(ledger)
 
 
-def _the_finder() -> Finder:
+def _find_within_limits(
+    asked: Question, fuel_rate_l_h: float, job: Job, ledger: Ledger
+) -> tuple[Fastest, Course, Resailed]:
+    """Find a passage and sail it again; where that meets more wind than allowed, search with less."""
+    limit = asked.how.handling.max_wind
+    for share in LIMIT_SHARES:
+        sought = asked
+        if limit is not None:
+            handling = replace(asked.how.handling, max_wind=limit * share)
+            sought = replace(asked, how=replace(asked.how, handling=handling))
+        found = the_finder().fastest(sought, job=job, ledger=ledger)
+        job.check()
+        job.report("check", None, "Sailing the passage again")
+        course, sailed = _sail_again(asked, found.line, fuel_rate_l_h)
+        if sailed.within_limits:
+            return found, course, sailed
+    raise NoPassageError(
+        f"The wind comes too close to the {(limit or 0.0) / MS_PER_KNOT:.0f} kn you allow on every way that "
+        "was found; leave at another time or raise the limit.",
+        reason="wind-limit",
+    )
+
+
+def _check_zones(asked: Question, request: PassageRequest) -> None:
+    """Refuse an end that lies in a zone: leaving or entering it is for the sailor to settle."""
+    from seacruise.sea.zones import blocking
+
+    for (lat, lon), port in zip((asked.start, asked.end), (request.start, request.end), strict=True):
+        names = blocking(asked.zones, lat, lon, asked.departure) if asked.zones else ()
+        if names:
+            raise NoPassageError(
+                f"{port.name} lies in a zone that is closed to you ({names[0]}); take the zone out of the "
+                "layers or choose another port.",
+                reason="closed-zone",
+                place=(lat, lon),
+            )
+
+
+def the_finder() -> Finder:
+    """Give the finder that all passages of this process share, for the lattices it keeps."""
     from seacruise.routing.find import Finder
 
     global _finder  # noqa: PLW0603 - its lattices are big and the same for every window and thread
@@ -127,27 +177,9 @@ def _the_finder() -> Finder:
     return _finder
 
 
-def _check_options(options: Options) -> None:
-    if not 10.0 <= options.percent_of_polar <= 200.0:
-        raise InputError(f"{options.percent_of_polar:g} % of the polar is out of range; give 10 to 200.")
-    if options.spacing_nm is not None and not 0.05 <= options.spacing_nm <= 100.0:
-        raise InputError(f"A spacing of {options.spacing_nm:g} nm is out of range; give 0.05 to 100.")
-    if options.preset == "classic" and options.directions not in {None, 12}:
-        raise InputError("The classic preset has 12 courses; choose --preset precise for more.")
-    if options.max_wind_kn is not None and options.max_wind_kn <= 0:
-        raise InputError(
-            f"A wind limit of {options.max_wind_kn:g} kn leaves nothing to sail in; give more than 0."
-        )
-    if options.motor_below_kn is not None and (options.motor_below_kn < 0 or options.motor_speed_kn <= 0):
-        raise InputError(
-            "The engine needs a speed above 0 kn, and a boat speed of 0 kn or more to start below."
-        )
-
-
-def _departure(request: PassageRequest) -> datetime:
+def departure_of(wind: Wind, departure: datetime | None) -> datetime:
     """Departure in UTC, within the forecast; by default its next full hour."""
-    forecast = request.wind.forecast
-    departure = request.departure
+    forecast = wind.forecast
     if departure is None:
         now = datetime.now(UTC)
         earliest = max(forecast.valid_from, now) if now <= forecast.valid_to else forecast.valid_from
@@ -167,24 +199,26 @@ def _departure(request: PassageRequest) -> datetime:
     return departure
 
 
-def _waters(request: PassageRequest, settings: Settings) -> tuple[Sea, tuple[Place, Place]]:
+def waters_of(request: PassageRequest, settings: Settings) -> tuple[Sea, tuple[Place, Place]]:
     """Read the sea and move both ports to water."""
     start, end = request.start, request.end
     same = f"Start and end are the same place ({start.name}); choose two different ports."
     if float(great_circle_m(start.lat, start.lon, end.lat, end.lon)) < SAME_PLACE_NM * METRES_PER_NM:
         raise InputError(same)
     sea = sea_between(start, end, settings)
-    places = tuple(_place(port, sea.snap(port.lat, port.lon, name=port.name)) for port in (start, end))
+    places = tuple(place_of(port, sea.snap(port.lat, port.lon, name=port.name)) for port in (start, end))
     if float(great_circle_m(places[0].lat, places[0].lon, places[1].lat, places[1].lon)) < 1.0:
         raise InputError(same)
     return sea, (places[0], places[1])
 
 
-def _place(port: Port, snap: Snap) -> Place:
+def place_of(port: Port, snap: Snap) -> Place:
+    """Put a port and its water together."""
     return Place(port.name, snap.lat, snap.lon, port.lat, port.lon, snap.distance_nm)
 
 
-def _check_cover(wind: Wind, *ports: Port) -> None:
+def check_cover(wind: Wind, *ports: Port) -> None:
+    """Refuse ports that the wind does not cover."""
     for port in ports:
         if not bool(wind.covers(port.lat, port.lon)):
             raise NoPassageError(
@@ -195,7 +229,8 @@ def _check_cover(wind: Wind, *ports: Port) -> None:
             )
 
 
-def _how(options: Options) -> How:
+def how_of(options: Options) -> How:
+    """Put options into the router's words."""
     from seacruise.routing.field import handling_in_knots
     from seacruise.routing.find import How
 
@@ -226,7 +261,11 @@ def _sail_again(asked: Question, line: Line, fuel_rate_l_h: float) -> tuple[Cour
     from seacruise.routing.resail import resail
 
     handling = asked.how.handling
-    course = sail_boards(asked, line) if handling.tacking else merge_straight(straight_legs(line), asked.sea)
+    course = (
+        sail_boards(asked, line)
+        if handling.tacking
+        else merge_straight(straight_legs(line), asked.sea, asked.zones)
+    )
     sailed = resail(asked, course, fuel_rate_l_h=fuel_rate_l_h)
     if not sailed.arrived:
         tacked = replace(asked, how=replace(asked.how, handling=replace(handling, tacking=True)))
@@ -292,7 +331,12 @@ class _Answer:
             beyond_forecast_h=self.beyond_s / SECONDS_PER_HOUR,
             forecast=self.request.wind.forecast,
             lower_bound_h=bound_h,
-            checks=Checks(self.seconds / SECONDS_PER_HOUR, sailed.land_free, True, sailed.within_limits),
+            checks=Checks(
+                self.seconds / SECONDS_PER_HOUR,
+                sailed.land_free,
+                not sailed.zones_entered,
+                sailed.within_limits,
+            ),
             search=SearchReport(
                 ledger.directions,
                 ledger.spacing_nm,
@@ -334,6 +378,9 @@ class _Answer:
                 f"The last {math.ceil(self.beyond_s / SECONDS_PER_HOUR)} h are sailed in the last known "
                 "wind, held beyond the end of the forecast."
             )
+        if self.request.zones:
+            said.append(f"{len(self.request.zones.zones)} zones of your layers are kept clear of.")
+        said.extend(f"The passage touches the closed zone {name}." for name in self.sailed.zones_entered)
         narrow = float(legs[self.course.short_tacked].sum())
         if narrow > TELL_SNAP_NM:
             said.append(

@@ -6,7 +6,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from datetime import UTC, datetime, timedelta
 from typing import TYPE_CHECKING, Final
@@ -25,8 +25,8 @@ from seacruise.passage import (
     how_of,
     place_of,
     plan,
-    question_of,
     the_finder,
+    waters_of,
 )
 from seacruise.ports import Port
 from seacruise.progress import Job
@@ -51,7 +51,8 @@ WITHIN_S: Final = 300.0
 
 _STEPS_H: Final = (0.25, 0.5, 1, 2, 3, 6, 12, 24, 48)
 _MOST_LINES: Final = 8
-_MOST_PLANS: Final = 14
+_BY_TIME_LEFT: Final = 6
+"""Passages tried at the departure that the time left suggests; then the rest of the time is halved."""
 
 
 # --------------------------------------------------------------------------------------------- reach
@@ -59,7 +60,7 @@ _MOST_PLANS: Final = 14
 
 @dataclass(frozen=True, slots=True)
 class ReachRequest:
-    """What a sailor asks: where can I get in the days I have?
+    """What a sailor asks: the ports that fit into the days there are.
 
     Attributes
     ----------
@@ -93,8 +94,9 @@ class PortReached:
     distance_nm
         Length of the way there, without tacks [nm].
     out_h, back_h
-        Duration of the way there, and of the way back when she leaves after her stay [h]; ``None`` when
-        she does not come back at all.
+        Duration of the way there, and of the way back when she leaves after her stay [h]. The latter is
+        ``None`` when she does not come back at all, and where it was not looked for: neither is she back in
+        time, nor did she arrive within half of it.
     leave_by
         Latest departure that is back in time; ``None`` when there is none after the arrival.
     return_fits
@@ -141,9 +143,7 @@ class Reach:
     notices: tuple[str, ...] = ()
 
 
-def reach(
-    request: ReachRequest, *, ports: Sequence[Port], settings: Settings, job: Job = NOBODY
-) -> Reach:
+def reach(request: ReachRequest, *, ports: Sequence[Port], settings: Settings, job: Job = NOBODY) -> Reach:
     """Find every port that can be reached, the time there and the time back.
 
     The times are those of the lattice, in the wind of their hour; `plan` finds a passage that is a little
@@ -200,16 +200,21 @@ def reach(
 def _check(request: ReachRequest) -> None:
     check_options(request.options)
     if not 0.0 < request.hours <= LONGEST_H:
-        raise InputError(f"{request.hours:g} hours cannot be looked at; give more than 0 and at most {LONGEST_H:g}.")
+        raise InputError(
+            f"{request.hours:g} hours cannot be looked at; give more than 0 and at most {LONGEST_H:g}."
+        )
     if not 0.0 <= request.stay_h < request.hours:
         raise InputError(
             f"A stay of {request.stay_h:g} h does not fit into {request.hours:g} h; give less, or more time."
         )
 
 
-def farthest_nm(yacht: Polar, hours: float) -> float:
+def farthest_nm(yacht: Polar, options: Options, hours: float) -> float:
     """Distance that a yacht cannot exceed in any wind [nm]."""
-    return float(yacht.boat_speed.max()) / METRES_PER_NM * hours * SECONDS_PER_HOUR
+    from seacruise.routing.field import speed_table
+
+    fastest = float(speed_table(yacht, how_of(options).handling).top[-1])
+    return fastest * hours * SECONDS_PER_HOUR / METRES_PER_NM
 
 
 def _sea_around(request: ReachRequest, ports: Sequence[Port], settings: Settings) -> Sea:
@@ -217,10 +222,15 @@ def _sea_around(request: ReachRequest, ports: Sequence[Port], settings: Settings
     from seacruise.sea import Sea
 
     start = request.start
-    away = [float(great_circle_m(start.lat, start.lon, p.lat, p.lon)) / METRES_PER_NM for p in ports]
-    most = farthest_nm(request.yacht, request.hours)
-    margin = 1.0 + max((nm for nm in away if nm <= most), default=0.0) / 60
+    most = farthest_nm(request.yacht, request.options, request.hours)
+    margin = 1.0 + margin_deg(start, ports, most)
     return Sea.around((start.lat,), (start.lon,), margin_deg=margin, cache_dir=settings.cache_dir)
+
+
+def margin_deg(start: Port, ports: Sequence[Port], within_nm: float) -> float:
+    """Degrees of latitude from a start to the farthest of the ports that lie within a distance."""
+    away = [float(great_circle_m(start.lat, start.lon, p.lat, p.lon)) / METRES_PER_NM for p in ports]
+    return max((nm for nm in away if nm <= within_nm), default=0.0) / 60
 
 
 def _outing(request: ReachRequest, sea: Sea, start: Place, departure: datetime) -> Outing:
@@ -270,7 +280,7 @@ def _port_reached(
     leaves = arrival + asked.stay
     horizon = max(request.wind.forecast.valid_to.timestamp(), asked.departure)
     leave_by = float(explored.leave_by[number])
-    fits = home <= asked.deadline
+    fits = leaves <= leave_by
     held = max(0.0, arrival - horizon)
     if math.isfinite(home):
         held += max(0.0, home - max(leaves, horizon))
@@ -282,14 +292,14 @@ def _port_reached(
         out_h=(arrival - asked.departure) / SECONDS_PER_HOUR,
         arrival=datetime.fromtimestamp(arrival, UTC),
         back_h=(home - leaves) / SECONDS_PER_HOUR if math.isfinite(home) else None,
-        leave_by=datetime.fromtimestamp(max(leave_by, leaves), UTC) if fits else None,
+        leave_by=datetime.fromtimestamp(leave_by, UTC) if fits else None,
         return_fits=fits,
         beyond_forecast_h=held / SECONDS_PER_HOUR,
     )
 
 
 def _hours_drawn(hours: float) -> list[float]:
-    """Times for which a line is drawn: even hours, and the whole time."""
+    """Choose the times for which a line is drawn: even hours, and the whole time."""
     step = next((s for s in _STEPS_H if hours / s <= _MOST_LINES), _STEPS_H[-1])
     return [k * step for k in range(1, math.ceil(hours / step - 1e-9))] + [hours]
 
@@ -299,8 +309,8 @@ def _notices(request: ReachRequest, start: Place, found: Sequence[PortReached]) 
     said = [notice] if notice else []
     if start.snapped_nm > SAME_PLACE_NM:
         said.append(
-            f"She sets out {start.snapped_nm:.1f} nm from {start.name}, at the nearest water of the chart that "
-            "is connected with the open sea."
+            f"She sets out {start.snapped_nm:.1f} nm from {start.name}, at the nearest water of the chart "
+            "that is connected with the open sea."
         )
     held = sum(port.beyond_forecast_h > 1 / 60 for port in found)
     if held:
@@ -361,3 +371,79 @@ def plan_arrival(
     last = min(deadline, request.wind.forecast.valid_to)
     trial = _guess(request, best, deadline, settings) or best.departure + (deadline - best.arrival)
     return _latest(sail, best, deadline=deadline, last=last, trial=trial)
+
+
+def _guess(request: PassageRequest, best: Passage, deadline: datetime, settings: Settings) -> datetime | None:
+    """Latest departure on the lattice on which the first passage was found; ``None`` if there is none."""
+    from seacruise.routing.field import COARSE_SLICE_S, wind_field
+    from seacruise.routing.find import Ledger, Question
+    from seacruise.routing.reach import latest_departures
+
+    sea, (start, end) = waters_of(request, settings)
+    asked = Question(
+        sea,
+        request.wind,
+        request.yacht,
+        replace(how_of(request.options), refine=False),
+        (start.lat, start.lon),
+        (end.lat, end.lon),
+        best.departure.timestamp(),
+    )
+    found = the_finder().fastest(asked, job=NOBODY, ledger=Ledger())
+    winds = wind_field(request.wind, slice_s=COARSE_SLICE_S, since=asked.departure)
+    latest = latest_departures(
+        found.lattice, winds, found.speeds, deadline.timestamp(), earliest=asked.departure
+    ).departure[found.lattice.start]
+    return datetime.fromtimestamp(float(latest), UTC) if np.isfinite(latest) else None
+
+
+def _latest(
+    sail: Callable[[datetime], Passage],
+    best: Passage,
+    *,
+    deadline: datetime,
+    last: datetime,
+    trial: datetime,
+) -> Passage:
+    """Close in on the latest departure that is in time: by the time left or missing, then by halves.
+
+    Parameters
+    ----------
+    best
+        A passage that is in time.
+    last
+        The last departure that may be tried.
+    trial
+        The departure to try first.
+    """
+    within = timedelta(seconds=WITHIN_S)
+    too_late = last + within if last < deadline else deadline
+    tries = 0
+    while too_late - best.departure > within:
+        tries += 1
+        halfway = best.departure + (too_late - best.departure) / 2
+        trial = min(trial, last)
+        if tries > _BY_TIME_LEFT or not best.departure < trial < too_late:
+            trial = halfway
+        trial = min(max(trial, best.departure + within), too_late - timedelta(minutes=1), last)
+        trial = trial.replace(second=0, microsecond=0)
+        if trial <= best.departure:
+            break
+        try:
+            passage = sail(trial)
+        except NoPassageError:
+            # Leaving that late she is becalmed, or meets more wind than is allowed.
+            too_late, trial = trial, halfway
+            continue
+        if passage.arrival <= deadline:
+            best = passage
+            trial += max(within, deadline - passage.arrival)
+        else:
+            too_late = trial
+            trial -= max(within, passage.arrival - deadline)
+    return best
+
+
+def _minute_up(time: datetime) -> datetime:
+    """Round up to a full minute: she is not there before."""
+    return (time + timedelta(seconds=59)).replace(second=0, microsecond=0)

@@ -12,6 +12,15 @@ OPENMETEO_URL = "https://api.open-meteo.com"
 METNO_URL = "https://api.met.no"
 
 
+def typed_path(text: str) -> Path:
+    """Path that a person typed; ``~`` is the home folder, and stays as it is where there is no such home."""
+    path = Path(text)
+    try:
+        return path.expanduser()
+    except RuntimeError:
+        return path
+
+
 @dataclass(frozen=True, slots=True)
 class Settings:
     """Folders, service addresses and the Storm Glass key.
@@ -46,12 +55,17 @@ class Settings:
         """Folder in which the sailor drops polar files of their own."""
         return self.data_dir / "polars"
 
+    @property
+    def layers(self) -> Path:
+        """Folder in which the sailor drops GeoJSON files of zones to keep out of."""
+        return self.data_dir / "layers"
+
     @classmethod
     def from_environment(cls, environ: Mapping[str, str] | None = None) -> Settings:
         """Read ``SEACRUISE_HOME``, ``SEACRUISE_*_URL`` and ``STORMGLASS_API_KEY``."""
         env = os.environ if environ is None else environ
         if home := env.get("SEACRUISE_HOME", "").strip():
-            root = Path(home).expanduser()
+            root = typed_path(home)
             cache_dir, data_dir = root / "cache", root / "data"
         else:
             import platformdirs

@@ -51,6 +51,31 @@ def test_old_file_survives_a_full_disk(tmp_path: Path, monkeypatch: pytest.Monke
     assert [p.name for p in tmp_path.iterdir()] == [target.name]
 
 
+@pytest.mark.skipif(os.name == "nt", reason="Windows lets only administrators make links")
+def test_a_link_is_followed(tmp_path: Path) -> None:
+    folder = tmp_path / "elsewhere"
+    folder.mkdir()
+    link = tmp_path / "route.gpx"
+    link.symlink_to(folder / "real.gpx")
+    write_atomically(link, "whole", what="GPX file")
+    assert link.is_symlink()
+    assert (folder / "real.gpx").read_text(encoding="utf-8") == "whole"
+    assert [p.name for p in folder.iterdir()] == ["real.gpx"]
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="Windows has no named pipes")
+def test_a_pipe_is_written_into_and_not_replaced(tmp_path: Path) -> None:
+    pipe = tmp_path / "to-the-plotter"
+    os.mkfifo(pipe)
+    reader = os.open(pipe, os.O_RDONLY | os.O_NONBLOCK)
+    try:
+        write_atomically(pipe, "route", what="GPX file")
+        assert os.read(reader, 100) == b"route"
+    finally:
+        os.close(reader)
+    assert pipe.is_fifo()
+
+
 def test_a_folder_is_refused(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="that is a folder"):
         write_atomically(tmp_path, "x", what="chart")

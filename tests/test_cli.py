@@ -19,7 +19,7 @@ import pytest
 import seacruise.passage
 import seacruise.weather.source
 from seacruise import cli
-from seacruise.commands import common, polar, request, window
+from seacruise.commands import common, plan, polar, request, window
 from seacruise.errors import CancelledError, InputError, NoPassageError, WeatherError
 from seacruise.passage import Passage, PassageRequest
 from seacruise.progress import Job
@@ -199,6 +199,32 @@ def test_the_answer_is_printed_even_when_an_export_fails(
     out, err = capsys.readouterr()
     assert "43 h 17 min" in out
     assert "no space left" in one_sentence(err)
+
+
+def test_a_reader_that_leaves_early_does_not_cost_the_files(
+    asked: Asked, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def gone(*_: object, **__: object) -> None:
+        raise BrokenPipeError
+
+    monkeypatch.setattr(plan, "show", gone)
+    with pytest.raises(BrokenPipeError):
+        plan.run(cli.build_parser().parse_args([*SAMPLE, "--gpx", str(tmp_path / "a.gpx")]))
+    assert (tmp_path / "a.gpx").stat().st_size > 1000
+
+
+@pytest.mark.parametrize(
+    ("words", "part"),
+    [
+        ([*SAMPLE, "--gpx", "~nobody-of-this-name/a.gpx"], "there is no folder"),
+        (["polar", "show", "~nobody-of-this-name/a.csv"], "There is no polar file ~nobody-of-this-name"),
+    ],
+)
+def test_a_home_that_nobody_has_is_a_path_that_is_not_there(
+    words: list[str], part: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert cli.main(words) == 2
+    assert part in one_sentence(capsys.readouterr().err)
 
 
 # ------------------------------------------------------------------------------------------------ errors
@@ -486,6 +512,14 @@ def test_weather_fetch(asked: Asked, capsys: pytest.CaptureFixture[str]) -> None
 
 
 # ---------------------------------------------------------------------------------------------- progress
+
+
+def test_weather_info_says_where_things_are(settings: Settings, capsys: pytest.CaptureFixture[str]) -> None:
+    assert cli.main(["weather", "info"]) == 0
+    assert f"Your polars: {settings.user_polars}" in capsys.readouterr().out.splitlines()
+    assert cli.main(["weather", "info", "--format", "json"]) == 0
+    answer = json.loads(capsys.readouterr().out)
+    assert (answer["polars"], answer["database"]) == (str(settings.user_polars), str(settings.database))
 
 
 def test_progress_on_a_terminal_is_one_line(

@@ -59,16 +59,15 @@ def main(source: str, target: str) -> None:
     folder = Path(target)
     folder.mkdir(parents=True, exist_ok=True)
     tiles = shapely.get_parts(shapely.from_wkb(Path(source).read_bytes()))
-    np.savez_compressed(folder / "baltic.npz", **packed(tiles))
+    np.savez_compressed(folder / "baltic.npz", allow_pickle=False, **packed(tiles))
     # A hair of growth closes the seams between tiles that were cut with rounding.
     joined = shapely.get_parts(shapely.union_all(shapely.buffer(tiles, 2e-6, join_style="mitre")))
-    arrays = {}
-    for level, (tolerance, smallest) in enumerate(
-        zip(CHART_TOLERANCES_DEG, CHART_SMALLEST_DEG2, strict=True)
-    ):
-        for key, value in packed(chart_polygons(joined, tolerance, smallest)).items():
+    arrays: dict[str, np.ndarray] = {}
+    details = zip(CHART_TOLERANCES_DEG, CHART_SMALLEST_DEG2, CHART_SMALLEST_LAKE_DEG2, strict=True)
+    for level, (tolerance, smallest, smallest_lake) in enumerate(details):
+        for key, value in packed(chart_polygons(joined, tolerance, smallest, smallest_lake)).items():
             arrays[f"{key}{level}"] = value
-    np.savez_compressed(folder / "chart.npz", **arrays)
+    np.savez_compressed(folder / "chart.npz", allow_pickle=False, **arrays)
 
 
 if __name__ == "__main__":

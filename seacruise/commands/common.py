@@ -14,6 +14,7 @@ from typing import Any, NoReturn
 
 from seacruise.errors import InputError
 from seacruise.progress import Job
+from seacruise.settings import typed_path
 from seacruise.text import parse_number
 
 
@@ -81,7 +82,7 @@ def parse_path(text: str) -> Path:
     """Read a path; ``~`` is the home folder."""
     if not text.strip():
         raise argparse.ArgumentTypeError("a file name is missing")
-    return Path(text).expanduser()
+    return typed_path(text)
 
 
 class TerminalReport:

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from seacruise.commands import request as ask
-from seacruise.commands.common import add_format, cancellable_job, parse_path, say
+from seacruise.commands.common import add_format, cancellable_job, parse_path, parse_time, say
 
 if TYPE_CHECKING:
     from seacruise.passage import Passage
@@ -31,8 +31,22 @@ def add_parser(commands: argparse._SubParsersAction[argparse.ArgumentParser]) ->
         description="Find the fastest passage under sail between two ports and say how long it takes.",
     )
     ask.add_voyage(parser, required=True)
+    parser.add_argument(
+        "--arrive-by",
+        type=parse_time,
+        metavar="TIME",
+        help="leave as late as possible and still arrive by then, instead of --depart",
+    )
     ask.add_yacht(parser, required=True)
     ask.add_search_options(parser)
+    parser.add_argument(
+        "--avoid",
+        type=parse_path,
+        action="append",
+        default=[],
+        metavar="FILE.geojson",
+        help="zones to keep out of, for good or for a time; besides those in the layers folder",
+    )
     files = parser.add_argument_group("files to write (an existing file of that name is replaced)")
     for name, (metavar, text) in EXPORTS.items():
         files.add_argument(f"--{name}", type=parse_path, metavar=metavar, help=text)
@@ -43,9 +57,13 @@ def add_parser(commands: argparse._SubParsersAction[argparse.ArgumentParser]) ->
 def run(arguments: argparse.Namespace) -> int:
     """Plan, print, export; the exit code is 0 or that of the error."""
     from seacruise.atomic import check_target
+    from seacruise.errors import InputError
     from seacruise.passage import PassageRequest, plan
+    from seacruise.sea.zones import layer_files, load_zones
     from seacruise.settings import Settings
 
+    if arguments.arrive_by and arguments.depart:
+        raise InputError("Give either --depart or --arrive-by, not both: one follows from the other.")
     targets: dict[str, Path] = {name: path for name in EXPORTS if (path := getattr(arguments, name))}
     for name, path in targets.items():
         check_target(path, f"{name} file")
@@ -53,15 +71,24 @@ def run(arguments: argparse.Namespace) -> int:
     start, end = ask.find_ends(arguments)
     yacht = ask.find_yacht_named(arguments.yacht, settings)
     options = ask.options_from(arguments)
+    zones = load_zones([*layer_files(settings.layers), *arguments.avoid])
     with cancellable_job() as job:
         wind = ask.fetch(arguments, start, end, settings=settings, job=job)
-        asked = PassageRequest(start, end, yacht, wind, departure=arguments.depart, options=options)
-        passage = plan(asked, settings=settings, job=job)
-    # The answer first: a full disk must not cost the sailor what was found.
-    show(passage, as_json=arguments.format == "json")
-    for name, path in targets.items():
-        export(name, passage, path, wind=wind)
-        say(f"Wrote {path}")
+        asked = PassageRequest(start, end, yacht, wind, arguments.depart, options, zones)
+        if arguments.arrive_by:
+            from seacruise.reach import plan_arrival
+
+            passage = plan_arrival(asked, arguments.arrive_by, settings=settings, job=job)
+        else:
+            passage = plan(asked, settings=settings, job=job)
+    # The answer first: a full disk must not cost the sailor what was found. Nor must a reader of it who
+    # leaves early (| head) cost the files.
+    try:
+        show(passage, as_json=arguments.format == "json")
+    finally:
+        for name, path in targets.items():
+            export(name, passage, path, wind=wind)
+            say(f"Wrote {path}")
     return 0
 
 

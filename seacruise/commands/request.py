@@ -36,12 +36,27 @@ _OPTION_FIELDS = (
 def add_voyage(parser: argparse.ArgumentParser, *, required: bool) -> None:
     """Add from, to, when and with which forecast."""
     ask = parser.add_argument_group("the passage")
-    ask.add_argument(
-        "--from", dest="start", required=required, metavar="PORT", help="a name from ports.csv, or LAT,LON"
-    )
+    _add_from(ask, required=required)
     ask.add_argument(
         "--to", dest="end", required=required, metavar="PORT", help="the same for the destination"
     )
+    _add_when(ask)
+
+
+def add_start(parser: argparse.ArgumentParser) -> None:
+    """Add from, when and with which forecast."""
+    ask = parser.add_argument_group("the start")
+    _add_from(ask, required=True)
+    _add_when(ask)
+
+
+def _add_from(ask: argparse._ArgumentGroup, *, required: bool) -> None:
+    ask.add_argument(
+        "--from", dest="start", required=required, metavar="PORT", help="a name from ports.csv, or LAT,LON"
+    )
+
+
+def _add_when(ask: argparse._ArgumentGroup) -> None:
     ask.add_argument(
         "--depart",
         type=parse_time,
@@ -63,8 +78,8 @@ def add_yacht(parser: argparse.ArgumentParser, *, required: bool) -> None:
     )
 
 
-def add_search_options(parser: argparse.ArgumentParser) -> None:
-    """Add how to sail and how to search."""
+def add_sail_options(parser: argparse.ArgumentParser) -> None:
+    """Add how to sail."""
     sail = parser.add_argument_group("how she is sailed")
     sail.add_argument(
         "--percent-of-polar",
@@ -107,6 +122,11 @@ def add_search_options(parser: argparse.ArgumentParser) -> None:
         metavar="L/H",
         help="consumption under engine (default: 2.5)",
     )
+
+
+def add_search_options(parser: argparse.ArgumentParser) -> None:
+    """Add how to sail and how to search."""
+    add_sail_options(parser)
     search = parser.add_argument_group("how it is searched")
     search.add_argument("--preset", choices=("precise", "classic"), help="classic is R1 as published")
     search.add_argument("--directions", type=int, choices=DIRECTIONS, help="courses of the lattice")
@@ -133,7 +153,7 @@ def options_from(arguments: argparse.Namespace) -> Options:
     """Make the search options; what was not said is left to the preset."""
     from seacruise.passage import Options
 
-    said: dict[str, Any] = {name: getattr(arguments, name) for name in _OPTION_FIELDS}
+    said: dict[str, Any] = {name: getattr(arguments, name, None) for name in _OPTION_FIELDS}
     return Options(**{name: value for name, value in said.items() if value is not None})
 
 

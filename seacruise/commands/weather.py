@@ -72,13 +72,15 @@ def run_info(arguments: argparse.Namespace) -> int:
     from seacruise.settings import Settings
     from seacruise.weather.source import weather_info
 
-    info = weather_info(Settings.from_environment())
+    settings = Settings.from_environment()
+    info = weather_info(settings)
     if arguments.format == "json":
         from seacruise.export.jsonform import dumps
 
-        print(dumps(info_to_json(info)))
+        print(dumps({**info_to_json(info), "polars": str(settings.user_polars)}))
     else:
         print(info_to_text(info))
+        print(f"Your polars: {settings.user_polars}")
     return 0
 
 

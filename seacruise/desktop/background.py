@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import shutil
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path
@@ -10,6 +9,7 @@ from typing import TYPE_CHECKING, Any, Final
 
 from PySide6.QtCore import QObject, Signal
 
+from seacruise.atomic import write_atomically
 from seacruise.desktop.jobs import JobRunner
 from seacruise.desktop.state import Horizon
 from seacruise.errors import InputError
@@ -92,7 +92,7 @@ def add_polar(path: Path, settings: Settings) -> str:
     try:
         target.parent.mkdir(parents=True, exist_ok=True)
         if not target.exists():
-            shutil.copyfile(path, target)
+            write_atomically(target, path.read_bytes(), what="polar")
     except OSError as error:
         raise InputError(f"{path.name} cannot be copied to {target.parent}: {error.strerror}.") from error
     return name
@@ -153,7 +153,7 @@ class Background(QObject):
         def work(_job: Job) -> Any:
             from seacruise.warmup import warm_up
 
-            warm_up()
+            warm_up(self._settings)
 
         self._runners["warmup"].run_job(work)
 

@@ -100,6 +100,7 @@ def compute(
         Why there is no answer; `CancelledError` when the job was cancelled.
     """
     from seacruise.passage import PassageRequest
+    from seacruise.sea.zones import layer_files, load_zones
 
     refuse_same_port(question.start, question.end)
     job.check()
@@ -112,6 +113,7 @@ def compute(
         wind=wind,
         departure=question.departure,
         options=question.options,
+        zones=load_zones(layer_files(settings.layers)),
     )
     passage = planner(request, settings=settings, job=job)
     job.check()

@@ -6,15 +6,16 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QByteArray, QObject, Qt, Signal
+from PySide6.QtCore import QBuffer, QByteArray, QIODevice, QObject, Qt, Signal
 from PySide6.QtGui import QImage, QImageWriter
 from PySide6.QtWidgets import QFileDialog, QWidget
 
+from seacruise.atomic import write_atomically
 from seacruise.desktop.jobs import JobRunner
-from seacruise.errors import InputError
 
 if TYPE_CHECKING:
     from seacruise.passage import Passage
+    from seacruise.weather.wind import Wind
 
 
 def save_image(image: QImage, path: Path) -> None:
@@ -25,11 +26,10 @@ def save_image(image: QImage, path: Path) -> None:
     InputError
         It cannot be written there.
     """
-    path.parent.mkdir(parents=True, exist_ok=True)
-    part = path.with_name(f".{path.name}.part")
-    if not QImageWriter(str(part), QByteArray(b"png")).write(image):
-        raise InputError(f"{path} cannot be written; choose another folder.")
-    part.replace(path)
+    picture = QBuffer()
+    picture.open(QIODevice.OpenModeFlag.WriteOnly)
+    QImageWriter(picture, QByteArray(b"png")).write(image)
+    write_atomically(path, bytes(picture.data().data()), what="picture")
 
 
 class Exporter(QObject):
@@ -65,11 +65,15 @@ class Exporter(QObject):
 
         self._ask(_file_name(passage, "csv"), self.tr("Table of legs (*.csv)"), write)
 
-    def ask_png(self, passage: Passage, image: QImage) -> None:
-        """Save the chart as it is on the screen."""
-        self._ask(
-            _file_name(passage, "png"), self.tr("Picture (*.png)"), lambda path: save_image(image, path)
-        )
+    def ask_png(self, passage: Passage, wind: Wind) -> None:
+        """Save the chart: not the screen, but a sheet with title, times and sources to hand around."""
+
+        def write(path: Path) -> None:
+            from seacruise.export.chart import write_chart
+
+            write_chart(passage, path, wind=wind)
+
+        self._ask(_file_name(passage, "png"), self.tr("Picture (*.png)"), write)
 
     def write(self, path: Path, write: Callable[[Path], None]) -> None:
         """Write a file on a worker."""

@@ -37,6 +37,12 @@ if TYPE_CHECKING:
 
 FILE_TYPES: Final = "GRIB, NetCDF (*.grib *.grib2 *.grb *.grb2 *.nc *.nc4);;* (*)"
 _CHOOSE_FILE: Final = "choose-file"
+_KINDS: Final[dict[str, type | tuple[type, ...]]] = {
+    **dict.fromkeys(("start", "end", "yacht"), str),
+    "forecast": list,
+    **dict.fromkeys(("percent_of_polar", "max_wind_kn", "motor_below_kn"), (int, float)),
+}
+"""What a window keeps of its form, and of which kind it is."""
 
 
 class PassageForm(QFrame):
@@ -281,6 +287,10 @@ class PassageForm(QFrame):
             if key in values:
                 box.setValue(float(values[key] or 0.0))
         self._tell_options()
+
+    def restore(self, kept: Mapping[str, Any]) -> None:
+        """Fill in what `contents` gave; what is not of its kind, as in a damaged file, is passed over."""
+        self.fill({key: value for key, value in kept.items() if isinstance(value, _KINDS.get(key, ()))})
 
     def set_ports(self, ports: Sequence[Port]) -> None:
         """Take the ports over."""

@@ -50,7 +50,8 @@ def tr(text: str) -> str:
 def _known() -> dict[str, tuple[str, str, WayOut]]:
     """Title, advice and way out by the reason of an error."""
     return {
-        "bad-input": (tr("Please check the form"), "", WayOut.NOTHING),
+        "bad-input": (tr("Please check what was given"), "", WayOut.NOTHING),
+        "not-written": (tr("The file was not saved"), "", WayOut.NOTHING),
         "same-port": (
             tr("Start and end are the same"),
             tr("Type another destination, or use right-click on the chart."),

@@ -109,7 +109,6 @@ class ResultPanel(QFrame):
             text
             for ok, text in (
                 (checks.land_free, self.tr("clear of land")),
-                (checks.zones_free, self.tr("clear of closed zones")),
                 (checks.within_limits, self.tr("within your limits")),
             )
             if ok

@@ -122,6 +122,7 @@ QLineEdit[wrong="true"], QDateEdit[wrong="true"], QTimeEdit[wrong="true"] {{
     border: 2px solid {ERROR_LINE}; padding: 3px 6px; }}
 QLineEdit:disabled, QComboBox:disabled, QDateEdit:disabled, QTimeEdit:disabled, QDoubleSpinBox:disabled {{
     background: #F4F7F9; color: #8496A5; }}
+QComboBox {{ combobox-popup: 0; }}
 QComboBox::drop-down {{ border: 0; width: 24px; }}
 QComboBox::down-arrow {{ image: url({icons}/chevron-down.svg); width: 12px; height: 12px; }}
 QComboBox QAbstractItemView, QListView#completions {{

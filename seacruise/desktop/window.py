@@ -93,7 +93,7 @@ class MainWindow(QMainWindow):
         self._horizon_timer.setInterval(_HORIZON_EVERY_MS)
         self._horizon_timer.timeout.connect(lambda: self.background.load_horizon(self.form.forecast))
         if memory is not None:
-            self.form.fill(memory.recall("form"))
+            self.form.restore(memory.recall("form"))
             self._restore_layers(memory.recall("layers"))
         self._render()
 
@@ -410,7 +410,7 @@ class MainWindow(QMainWindow):
 
     def _export_png(self) -> None:
         if self.state.answer is not None:
-            self.exporter.ask_png(self.state.answer.passage, self.chart.view.picture())
+            self.exporter.ask_png(self.state.answer.passage, self.state.answer.wind)
 
     def _saved(self, path: Path) -> None:
         self.statusBar().showMessage(self.tr("Saved {path}").format(path=path), 8000)

@@ -131,10 +131,11 @@ def _checks(passage: Passage) -> str:
     checks = passage.checks
     answers = (
         (checks.land_free, "clear of land", "CROSSES LAND"),
-        (checks.zones_free, "clear of zones", "CROSSES A ZONE"),
+        # Said only when it is not so: without zones it would promise what nobody looked at.
+        (checks.zones_free, "", "CROSSES A ZONE"),
         (checks.within_limits, "within limits", "BEYOND A LIMIT"),
     )
-    said = ", ".join(good if fine else bad for fine, good, bad in answers)
+    said = ", ".join(text for fine, good, bad in answers if (text := good if fine else bad))
     return f"sailed again in {format_duration(checks.resailed_h)}; {said}"
 
 

@@ -15,6 +15,7 @@ from __future__ import annotations
 import numpy as np
 
 from seacruise.compiled import inlined, kernel
+from seacruise.sea._prisms import closed
 
 STILL = 1e-6
 """Slower than this [m/s] is not moving."""
@@ -139,7 +140,7 @@ def _sift_down(heap, keys, place, size):
 
 
 @kernel
-def search(start, end, departure, latest, ahead, points, edges, piece, wind, speeds):
+def search(start, end, departure, latest, ahead, points, edges, piece, wind, speeds, zones):
     """Time-dependent Dijkstra, goal-directed (A*), with an indexed 4-ary heap in an array.
 
     Parameters
@@ -150,6 +151,8 @@ def search(start, end, departure, latest, ahead, points, edges, piece, wind, spe
         ``(n,)`` consistent lower bound of the time from each vertex to the end [s]; zeros for Dijkstra.
     edges
         ``(first, target)``: compressed sparse rows.
+    zones
+        Closed areas, see `seacruise.sea._prisms.closed`.
 
     Returns
     -------
@@ -171,6 +174,7 @@ def search(start, end, departure, latest, ahead, points, edges, piece, wind, spe
     size = 1
     settled = 0
     relaxed = 0
+    zoned = zones[0].size > 1
     while size > 0:
         a = heap[0]
         size -= 1
@@ -189,6 +193,8 @@ def search(start, end, departure, latest, ahead, points, edges, piece, wind, spe
             relaxed += 1
             then = sail_edge(t, a, b, points, piece, wind, speeds)
             if then < arrival[b] or (then == arrival[b] and then < np.inf and a < before[b]):
+                if zoned and closed(zones, points[0][a], points[1][a], t, points[0][b], points[1][b], then):
+                    continue
                 if place[b] < 0:
                     heap[size] = b
                     place[b] = size

@@ -11,12 +11,20 @@ import numpy as np
 from seacruise.compiled import inlined, kernel
 from seacruise.routing._kernels import sail_rhumb
 from seacruise.sea._kernels import free_line
+from seacruise.sea._prisms import closed
 
 
 @inlined
-def _free(water, frame, x0, y0, x1, y1):
+def _free(water, frame, x0, y0, t0, x1, y1, t1):
+    """Tell whether a leg touches neither land nor a zone valid when she is there.
+
+    ``water`` is ``(arrays of the raster, arrays of the zones)``.
+    """
     ox, oy, cell = frame
-    return free_line(water, (x0 - ox) / cell, (y0 - oy) / cell, (x1 - ox) / cell, (y1 - oy) / cell)
+    raster, zones = water
+    if zones[0].size > 1 and closed(zones, x0, y0, t0, x1, y1, t1):
+        return False
+    return free_line(raster, (x0 - ox) / cell, (y0 - oy) / cell, (x1 - ox) / cell, (y1 - oy) / cell)
 
 
 @inlined
@@ -46,8 +54,8 @@ def _move(x, y, times, count, step, piece, water, frame, wind, speeds):
             then = sail_rhumb(here, nx, ny, x[k + 1], y[k + 1], piece, wind, speeds)
             if (
                 then < best - 1e-3
-                and _free(water, frame, x[k - 1], y[k - 1], nx, ny)
-                and _free(water, frame, nx, ny, x[k + 1], y[k + 1])
+                and _free(water, frame, x[k - 1], y[k - 1], times[k - 1], nx, ny, here)
+                and _free(water, frame, nx, ny, here, x[k + 1], y[k + 1], then)
             ):
                 best, bx, by, at = then, nx, ny, here
         x[k], y[k], times[k] = bx, by, at
@@ -66,7 +74,9 @@ def _drop(x, y, times, count, slack, piece, water, frame, wind, speeds):
     while k < count - 1:
         there = sail_rhumb(times[k], x[k], y[k], x[k + 1], y[k + 1], piece, wind, speeds)
         straight = sail_rhumb(times[k - 1], x[k - 1], y[k - 1], x[k + 1], y[k + 1], piece, wind, speeds)
-        if straight <= there + slack and _free(water, frame, x[k - 1], y[k - 1], x[k + 1], y[k + 1]):
+        if straight <= there + slack and _free(
+            water, frame, x[k - 1], y[k - 1], times[k - 1], x[k + 1], y[k + 1], straight
+        ):
             for j in range(k, count - 1):
                 x[j], y[j] = x[j + 1], y[j + 1]
             count -= 1
@@ -159,7 +169,9 @@ def thin(x, y, departure, allowance, piece, water, frame, wind, speeds):
                     times[k - 1], px[k - 1], py[k - 1], px[k + 1], py[k + 1], piece, wind, speeds
                 )
                 cost[k] = straight - times[k + 1]
-                if not _free(water, frame, px[k - 1], py[k - 1], px[k + 1], py[k + 1]):
+                if not _free(
+                    water, frame, px[k - 1], py[k - 1], times[k - 1], px[k + 1], py[k + 1], straight
+                ):
                     cost[k] = np.inf
                 stale[k] = False
             if best < 0 or cost[k] < cost[best]:

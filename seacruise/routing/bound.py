@@ -55,6 +55,9 @@ def lower_bound_s(
     cell = float(np.hypot(*(c.max() - c.min() for c in (lat[:2, :2], lon[:2, :2])))) * 111_200.0
     reach = speeds.fastest(float(np.hypot(wind.u, wind.v).max())) * found_s
     inside = to_end + great_circle_m(lat, lon, *start) <= reach + 2 * cell
+    if not inside.any():
+        # A grid so coarse that it has no node near: any of its winds may blow here.
+        inside[:] = True
     lat, lon, to_end = lat[inside], lon[inside], to_end[inside]
     bearing = _bearing(lat, lon, *end)
     closing = _support(speeds)

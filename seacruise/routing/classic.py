@@ -27,8 +27,8 @@ from seacruise.yacht.polar import Polar
 HALF_WIDTH_DEG: Final = 0.5
 """R1's rectangle reaches this far to each side of the direct line [degrees of latitude]."""
 
-SPACING_NM: Final = 22.0
-"""Side of the triangles [nm] with which Karlskrona - Świnoujście has about its published 20 vertices."""
+SPACING_NM: Final = 21.5
+"""Side of the triangles [nm] with which Karlskrona - Świnoujście has its published 20 vertices."""
 
 ENTERED_FROM: Final = 6
 """Vertices that lead into the end."""

@@ -9,8 +9,9 @@ from __future__ import annotations
 import math
 import time
 from collections import OrderedDict
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
+from functools import partial
 from typing import Any, Final, Literal
 
 import numpy as np
@@ -23,9 +24,11 @@ from seacruise.routing import classic, stencil
 from seacruise.routing import lattice as lattices
 from seacruise.routing.field import COARSE_SLICE_S, Handling, SpeedTable, WindField, speed_table, wind_field
 from seacruise.routing.lattice import Area, Lattice, Levels
+from seacruise.routing.refine import PIECE_M as REFINED_PIECE_M
 from seacruise.routing.refine import Line, Waters, refine, timed
-from seacruise.routing.search import connected, search
+from seacruise.routing.search import PIECE_M, connected, search
 from seacruise.sea import Sea
+from seacruise.sea.zones import NO_ZONES, Zones
 from seacruise.units import METRES_PER_NM, MS_PER_KNOT
 from seacruise.weather.wind import Wind
 from seacruise.yacht.polar import Polar
@@ -91,11 +94,17 @@ class LatticeCache:
     def __init__(self) -> None:
         self._kept: OrderedDict[Any, Lattice] = OrderedDict()
 
-    def get(self, key: tuple[Any, ...], sea: Sea, ends: tuple[Position, Position], **recipe: Any) -> Lattice:
+    def get(
+        self,
+        key: tuple[Any, ...],
+        sea: Sea,
+        ends: tuple[Position, Position],
+        recipe: Callable[[], dict[str, Any]],
+    ) -> Lattice:
         """Return the lattice of a recipe (see `lattice.build`); ``key`` must tell it from all others."""
         whole = (id(sea.water.cells), ends, *key)
         if whole not in self._kept:
-            self._kept[whole] = lattices.build(sea, *ends, **recipe)
+            self._kept[whole] = lattices.build(sea, *ends, **recipe())
             while len(self._kept) > _KEPT:
                 self._kept.popitem(last=False)
         self._kept.move_to_end(whole)
@@ -121,6 +130,7 @@ class Question:
     start: Position
     end: Position
     departure: float
+    zones: Zones = NO_ZONES
 
     @property
     def direct_m(self) -> float:
@@ -166,7 +176,7 @@ class Finder:
         speeds = self._speed_table(asked.polar, asked.how.handling)
         coarse = wind_field(asked.wind, slice_s=COARSE_SLICE_S, since=asked.departure)
         fine = wind_field(asked.wind, since=asked.departure)
-        waters = Waters(asked.sea, fine, speeds)
+        waters = Waters(asked.sea, fine, speeds, asked.zones)
         ledger.lap("wind")
         if asked.how.preset == "classic":
             line, grid = _classic(asked, job, ledger)
@@ -200,12 +210,22 @@ class Finder:
         pace = _GUESSED_PACE * waters.speeds.fastest(waters.field.mean)
         guessed = _reach_needed(asked, waters, direct / pace) if pace > 0.0 else 0.0
         reach = min(max(guessed, direct * _FIRST_REACH, direct + 20 * METRES_PER_NM), direct * _LAST_REACH)
+        # A limit that is held at a coarse look may be broken at a fine one: look finely at once.
+        fine = asked.how.handling.max_wind is not None
+        look = partial(
+            search,
+            field=waters.field if fine else coarse,
+            speeds=waters.speeds,
+            departure=asked.departure,
+            piece_m=REFINED_PIECE_M if fine else PIECE_M,
+            zones=asked.zones,
+        )
         detail = 0
         while True:
             grid = self._lattice(asked, reach, detail, job, ledger)
             job.check()
             job.report("search", None, f"Searching {grid.vertices:,} vertices")
-            found = search(grid, coarse, waters.speeds, asked.departure)
+            found = look(grid)
             ledger.settled += found.settled
             ledger.lap("search")
             path = found.path(grid.end)
@@ -234,10 +254,12 @@ class Finder:
             (spacing, ledger.directions, area.kind, area.reach_m, detail),
             asked.sea,
             (asked.start, asked.end),
-            spacing_nm=spacing,
-            offsets=stencil.triangular(ledger.directions),
-            area=area,
-            levels=approach_levels(asked, spacing, detail),
+            lambda: {
+                "spacing_nm": spacing,
+                "offsets": stencil.triangular(ledger.directions),
+                "area": area,
+                "levels": approach_levels(asked, spacing, detail),
+            },
         )
         ledger.lap("lattice")
         return grid
@@ -290,6 +312,9 @@ def farthest_m(
     # Winds that are too far away to be met count for nothing, which makes the reach smaller: once more.
     for _ in range(3):
         inside = around <= reach + 2 * cell
+        if not inside.any():
+            # A grid so coarse that it has no node near: any of its winds may blow here.
+            inside[:] = True
         reach, t = 0.0, departure
         while t < departure + seconds:
             k = min(int((t - begin) / step), u.shape[0] - 1)
@@ -332,18 +357,24 @@ def _why_not(asked: Question, grid: Lattice, wind: WindField) -> NoPassageError:
             reason="no-water-path",
         )
 
-    def passable(handling: Handling) -> bool:
-        found = search(grid, wind, speed_table(asked.polar, handling), asked.departure)
+    def passable(handling: Handling, zones: Zones) -> bool:
+        found = search(grid, wind, speed_table(asked.polar, handling), asked.departure, zones=zones)
         return bool(np.isfinite(found.arrival[grid.end]))
 
     handling = asked.how.handling
-    if handling.max_wind is not None and passable(replace(handling, max_wind=None)):
+    if asked.zones and passable(handling, NO_ZONES):
+        return NoPassageError(
+            "Every way leads through a zone that is closed to you; take the zone out of the layers, or leave "
+            "when it is open.",
+            reason="closed-zone",
+        )
+    if handling.max_wind is not None and passable(replace(handling, max_wind=None), asked.zones):
         return NoPassageError(
             f"Every way leads through more wind than the {handling.max_wind / MS_PER_KNOT:.0f} kn you allow; "
             "leave at another time or raise the limit.",
             reason="wind-limit",
         )
-    if not handling.tacking and passable(replace(handling, tacking=True)):
+    if not handling.tacking and passable(replace(handling, tacking=True), asked.zones):
         return NoPassageError(
             "Every way leads at some time through the yacht's dead angle, and tacking is not allowed; allow "
             "it (the precise preset does) or leave at another time.",

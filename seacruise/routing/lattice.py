@@ -22,7 +22,8 @@ from seacruise.units import METRES_PER_NM
 
 Array = NDArray[np.float64]
 
-MOST_VERTICES: Final = 6_000_000
+MOST_VERTICES: Final = 2_500_000
+MOST_EDGES: Final = 60_000_000
 """Finer lattices are refused: they would not fit in the memory of a small computer."""
 
 _JOINED: Final = 48
@@ -217,7 +218,7 @@ class _Grower:
         numbers = _shared_numbers(above, i, j)
         fresh = numbers < 0
         number = int(np.count_nonzero(fresh))
-        if self.count + number > MOST_VERTICES:
+        if self.count + number > MOST_VERTICES or i.size * len(offsets) > MOST_EDGES:
             raise _too_fine()
         numbers[fresh] = np.arange(self.count, self.count + number, dtype=np.int32)
         self.x.append(x[fresh])
@@ -242,7 +243,7 @@ class _Grower:
         high = (ends.max(axis=0) + reach - self.start) / side
         j0, j1 = math.floor(low[1] / stencil.ROW_HEIGHT), math.ceil(high[1] / stencil.ROW_HEIGHT)
         i0, i1 = math.floor(low[0] - j1 / 2), math.ceil(high[0] - j0 / 2)
-        if (j1 - j0 + 1) * (i1 - i0 + 1) > 16 * MOST_VERTICES:
+        if (j1 - j0 + 1) * (i1 - i0 + 1) > 6 * MOST_VERTICES:
             raise _too_fine()
         j, i = np.mgrid[j0 : j1 + 1, i0 : i1 + 1]
         # The axial rectangle leans: its corners lie far outside the upright one that is wanted.

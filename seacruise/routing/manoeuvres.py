@@ -13,9 +13,10 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from seacruise.geodesy import from_mercator, scale
+from seacruise.geodesy import from_mercator, rhumb_distance_m
 from seacruise.routing.refine import Line
 from seacruise.sea import Sea
+from seacruise.sea.zones import Zones
 from seacruise.units import METRES_PER_NM
 from seacruise.weather.wind import to_direction
 from seacruise.yacht.hull import hull_headings
@@ -33,6 +34,9 @@ SHORTEST_PAIR_S: Final = 360.0
 
 SHORTEST_BOARD_S: Final = 900.0
 """In open water a board shorter than this is put off and joined to the next one [s]."""
+
+SLACK_S: Final = 1800.0
+"""Boards may be sailed this much earlier or later than planned, and meet no zone all the same [s]."""
 
 SAME_COURSE_DEG: Final = 1.0
 """Courses that differ by less are one leg to a helmsman."""
@@ -65,25 +69,31 @@ def straight_legs(line: Line) -> Course:
 
 def sail_boards(asked: Question, line: Line) -> Course:
     """Replace each leg that is sailed on the hull by boards on the two headings of the hull."""
-    builder = _Builder(asked.sea, (float(line.x[0]), float(line.y[0])))
+    builder = _Builder(asked.sea, asked.zones, (float(line.x[0]), float(line.y[0])))
     pieces = _pieces(asked, line)
     for piece, after in zip(pieces, [*pieces[1:], None], strict=True):
         builder.add(piece, put_off=after is not None and after.gain >= GAIN)
-    return merge_straight(builder.course(), asked.sea)
+    return merge_straight(builder.course(), asked.sea, asked.zones)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Piece:
-    """Part of a leg, a to b ``(2,)`` [m of the plane] in some seconds, ``gain`` times as fast on the hull.
+    """Part of a leg, a to b ``(2,)`` [m of the plane], ``gain`` times as fast on the hull.
 
-    ``headings`` ``(2, 2)`` holds the direction of each heading in a column.
+    ``begin`` and ``end`` are seconds since 1970; ``headings`` ``(2, 2)`` holds the direction of each
+    heading in a column.
     """
 
     a: Array
     b: Array
-    seconds: float
+    begin: float
+    end: float
     gain: float
     headings: Array
+
+    @property
+    def seconds(self) -> float:
+        return self.end - self.begin
 
 
 def _pieces(asked: Question, line: Line) -> list[_Piece]:
@@ -106,7 +116,7 @@ def _pieces(asked: Question, line: Line) -> list[_Piece]:
     headings = np.array([np.sin(courses), np.cos(courses)])
     points = np.stack([x, y], axis=1)
     return [
-        _Piece(points[k], points[k + 1], float(t[k + 1] - t[k]), float(gain[k]), headings[:, :, k])
+        _Piece(points[k], points[k + 1], float(t[k]), float(t[k + 1]), float(gain[k]), headings[:, :, k])
         for k in range(gain.size)
     ]
 
@@ -114,8 +124,8 @@ def _pieces(asked: Question, line: Line) -> list[_Piece]:
 class _Builder:
     """Collects the corners of a course; `sail_boards` is its only user."""
 
-    def __init__(self, sea: Sea, start: tuple[float, float]) -> None:
-        self.sea = sea
+    def __init__(self, sea: Sea, zones: Zones, start: tuple[float, float]) -> None:
+        self.sea, self.zones = sea, zones
         self.corners = [start]
         self.short: list[bool] = []
         self.other_first = False
@@ -140,9 +150,9 @@ class _Builder:
         if points is not None:
             self._append(points, short=False)
         elif piece.seconds > 2 * SHORTEST_PAIR_S:
-            middle = (piece.a + piece.b) / 2
-            self.add(replace(piece, b=middle, seconds=piece.seconds / 2), put_off=False)
-            self.add(replace(piece, a=middle, seconds=piece.seconds / 2), put_off=put_off)
+            middle, half = (piece.a + piece.b) / 2, (piece.begin + piece.end) / 2
+            self.add(replace(piece, b=middle, end=half), put_off=False)
+            self.add(replace(piece, a=middle, begin=half), put_off=put_off)
         else:
             self._append(piece.b[None, :], short=True)
 
@@ -154,7 +164,7 @@ class _Builder:
         """Corners from here to the end of a piece; ``None`` where land or the wind forbid it."""
         if piece.gain < GAIN:
             on_line = np.array_equal(here, piece.a)
-            return piece.b[None, :] if on_line or self._clear(here, piece.b) else None
+            return piece.b[None, :] if on_line or self._clear(np.stack([here, piece.b]), piece) else None
         legs = np.linalg.solve(piece.headings, piece.b - here)
         if legs.min() < 0.0:
             return None
@@ -162,24 +172,27 @@ class _Builder:
         if put_off and piece.seconds * legs.min() / legs.sum() < SHORTEST_BOARD_S:
             there = here + steps[:, int(np.argmax(legs))]
             # The board put off must be free as well: it is the way back to the line.
-            if self._clear(here, there) and self._clear(there, piece.b):
+            if self._clear(np.stack([here, there, piece.b]), piece):
                 return there[None, :]
-        return self._boards(here, steps, piece.seconds)
+        return self._boards(here, steps, piece)
 
-    def _clear(self, a: Array, b: Array) -> bool:
-        return bool(self.sea.clear(np.concatenate([a, b])[None, :])[0])
+    def _clear(self, points: Array, piece: _Piece) -> bool:
+        """Tell whether legs through points touch neither land nor a zone valid during the piece."""
+        legs = np.hstack([points[:-1], points[1:]])
+        if self.zones and bool(self.zones.close(legs, piece.begin - SLACK_S, piece.end + SLACK_S).any()):
+            return False
+        return bool(self.sea.clear(legs).all())
 
-    def _boards(self, a: Array, steps: Array, seconds: float) -> Array | None:
+    def _boards(self, a: Array, steps: Array, piece: _Piece) -> Array | None:
         """Corners of the boards, as few as the water allows; ``None`` where it is too narrow.
 
         Every second pair begins with the heading on which the last one ended, which halves the tacks.
         """
         pairs = 1
-        while pairs == 1 or seconds / pairs >= SHORTEST_PAIR_S:
+        while pairs == 1 or piece.seconds / pairs >= SHORTEST_PAIR_S:
             for swap in (self.other_first, not self.other_first):
                 corners, last = _zigzag(a, steps / pairs, pairs, swap)
-                points = np.vstack([a, corners])
-                if bool(self.sea.clear(np.hstack([points[:-1], points[1:]])).all()):
+                if self._clear(np.vstack([a, corners]), piece):
                     self.other_first = last
                     return corners
             pairs *= 2
@@ -198,15 +211,17 @@ def _zigzag(a: Array, steps: Array, pairs: int, swap: bool) -> tuple[Array, bool
     return np.array(corners), swap
 
 
-def merge_straight(course: Course, sea: Sea) -> Course:
-    """Join legs between which the course does not change, where the joined leg is as free of land."""
+def merge_straight(course: Course, sea: Sea, zones: Zones) -> Course:
+    """Join legs between which the course does not change, where the joined leg touches nothing either."""
     keep = [0]
     for k in range(1, course.x.size - 1):
         x, y = course.x[[keep[-1], k, k + 1]], course.y[[keep[-1], k, k + 1]]
         before, after = np.degrees(np.arctan2(np.diff(x), np.diff(y)))
         turn = abs((after - before + 180.0) % 360.0 - 180.0)
         alike = course.short_tacked[k] == course.short_tacked[k - 1]
-        if turn > SAME_COURSE_DEG or not alike or not sea.clear(np.array([[x[0], y[0], x[2], y[2]]]))[0]:
+        joined = np.array([[x[0], y[0], x[2], y[2]]])
+        free = bool(sea.clear(joined)[0]) and not bool(zones.close(joined, -np.inf, np.inf)[0])
+        if turn > SAME_COURSE_DEG or not alike or not free:
             keep.append(k)
     keep.append(course.x.size - 1)
     return Course(course.x[keep], course.y[keep], course.short_tacked[keep[:-1]])
@@ -238,5 +253,5 @@ def count_turns(course_deg: Array, twd_deg: Array, sailing: NDArray[np.bool_]) -
 
 def true_length_nm(x: Array, y: Array) -> Array:
     """Lengths of the legs between points of the Mercator plane [nm]."""
-    lat, _ = from_mercator(x, y)
-    return np.asarray(np.hypot(np.diff(x), np.diff(y)) * scale((lat[:-1] + lat[1:]) / 2) / METRES_PER_NM)
+    lat, lon = from_mercator(x, y)
+    return np.asarray(rhumb_distance_m(lat[:-1], lon[:-1], lat[1:], lon[1:]) / METRES_PER_NM)

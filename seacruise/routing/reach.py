@@ -8,28 +8,37 @@ backwards through the same pieces and slices of time, so that both agree to the 
 from __future__ import annotations
 
 import math
+import os
 from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
-from typing import Final
+from itertools import pairwise
+from typing import Final, cast
 
 import numpy as np
 from numpy.typing import NDArray
 
-from seacruise.geodesy import from_mercator, scale, to_mercator
+from seacruise.geodesy import from_mercator, great_circle_m, scale, to_mercator
 from seacruise.progress import Job
 from seacruise.routing import lattice as lattices
 from seacruise.routing import stencil
 from seacruise.routing.field import SpeedTable, WindField
 from seacruise.routing.find import COURSES, SPACING_NM, Position, farthest_m, levels_around
-from seacruise.routing.lattice import Area, Lattice
+from seacruise.routing.lattice import Area, Lattice, chord_m
 from seacruise.routing.search import PIECE_M, Found, search
 from seacruise.sea import Sea
+from seacruise.sea.water import FARTHEST_WAY_NM
 from seacruise.units import METRES_PER_NM, SECONDS_PER_HOUR
 
 Array = NDArray[np.float64]
 
 FINER: Final = 2
 """How often the lattice is halved before lines of equal time are drawn, so that they follow the shore."""
+
+GRANTED: Final = 1.03
+"""Share of the time within which a search without fine approaches must come near a port."""
+
+_NEVER_S: Final = 1e12
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -144,7 +153,8 @@ class Explored:
         Earliest arrival everywhere, and the ways there.
     arrival, home, leave_by
         ``(m,)`` of each port, seconds since 1970: earliest arrival; when she is back, having stayed; and
-        the latest moment to leave it and still be back when the time is over. Not finite where there is none.
+        the latest moment to leave it and still be back when the time is over. Infinite where there is none;
+        NaN where the way back was not searched.
     sailed_m
         ``(m,)`` length of the way out [m].
     """
@@ -157,26 +167,32 @@ class Explored:
     sailed_m: Array
 
 
-def outing_lattice(asked: Outing, ports: Sequence[Position]) -> Lattice:
+def outing_lattice(asked: Outing, ports: Sequence[Position], *, reach_m: float) -> Lattice:
     """Build a lattice over all that can be reached; start and ports are vertices, and so is the way back.
 
     The start is there twice: ways begin at ``start`` and lead back to ``end``, at the same place.
+
+    Parameters
+    ----------
+    reach_m
+        Distance from the start that is to be covered [m].
     """
     # Becalmed she still needs a lattice; and beyond the sea that was read there is no water.
-    reach_nm = min(max(asked.radius_m / METRES_PER_NM, 1.0), _widest_nm(asked))
-    spacing = asked.spacing_nm or min(SPACING_NM, max(0.5, reach_nm / 40))
+    whole_nm = min(max(asked.radius_m / METRES_PER_NM, 1.0), _widest_nm(asked))
+    spacing = asked.spacing_nm or min(SPACING_NM, max(0.5, whole_nm / 40))
     x, y = (float(c) for c in to_mercator(*asked.start))
     per_nm = METRES_PER_NM / float(scale(asked.start[0]))
     levels = levels_around(asked.sea, (asked.start, *ports), spacing, 0, per_nm=per_nm)
     # Ways of neighbours overlap: as one they share their vertices.
     together = np.unique(np.concatenate(levels.ways), axis=0)
+    reach_nm = math.ceil(min(reach_m / METRES_PER_NM, whole_nm) + spacing)
     return lattices.build(
         asked.sea,
         asked.start,
         asked.start,
         spacing_nm=spacing,
         offsets=stencil.triangular(asked.directions or COURSES),
-        area=Area("ellipse", np.array([[x, y, x, y]]), 2 * math.ceil(reach_nm) * METRES_PER_NM),
+        area=Area("ellipse", np.array([[x, y, x, y]]), 2 * reach_nm * METRES_PER_NM),
         levels=replace(levels, ways=(together,)),
         joined=tuple(ports),
     )
@@ -196,35 +212,94 @@ def _widest_nm(asked: Outing) -> float:
 def explore(asked: Outing, ports: Sequence[Position], job: Job) -> Explored:
     """Search out and back.
 
-    The way out is one search for all ports. The way back is one search a port, because each is left at its
-    own time; they are goal-directed and take milliseconds. The latest moment to leave is the same question
-    for all ports - back at the start when the time is over - and so one search backwards answers it.
+    The way out is one search for all ports. Whether she is back in time is the same question for all of
+    them too, and one search backwards from the start answers it exactly: the latest moment to leave each. How
+    long the way back takes when she leaves at once is another question a port, since each is left at its own
+    time: one search each, goal-directed, led past all vertices from which the start is out of reach by
+    then, and only where it matters - where she is back in time, or still has half of it.
     """
     job.report("lattice", None, "Building the lattice")
-    grid = outing_lattice(asked, ports)
+    promising, reach_m = _promising(asked, ports)
+    job.check()
+    grid = outing_lattice(asked, [ports[k] for k in promising], reach_m=reach_m)
     job.check()
     job.report("search", None, f"Searching {grid.vertices:,} vertices")
     field, speeds = asked.field, asked.speeds
     out = search(grid, field, speeds, asked.departure, to_end=False, latest=asked.deadline)
     job.check()
     back = latest_departures(grid, field, speeds, asked.deadline, earliest=asked.departure)
-    vertices = np.array(grid.joined, dtype=np.int64)
-    arrival = out.arrival[vertices]
-    arrival[arrival > asked.deadline] = np.inf
-    home = np.full(vertices.size, np.inf)
-    reached = np.flatnonzero(np.isfinite(arrival))
-    for count, k in enumerate(reached.tolist()):
+    arrival, home, sailed = (np.full(len(ports), value) for value in (np.inf, np.nan, np.nan))
+    leave_by = np.full(len(ports), -np.inf)
+    for k, vertex in zip(promising, grid.joined, strict=True):
+        if out.arrival[vertex] <= asked.deadline:
+            arrival[k], leave_by[k] = out.arrival[vertex], back.departure[vertex]
+            sailed[k] = _length_m(grid, out.path(vertex))
+    matters = (arrival + asked.stay <= leave_by) | (arrival - asked.departure <= asked.seconds / 2)
+    homewards = _Homewards(asked, grid, back.departure)
+    wanted = [k for k in promising if matters[k]]
+    vertex_of = dict(zip(promising, grid.joined, strict=True))
+
+    def sail_home(k: int) -> float:
         job.check()
-        job.report("search", count / reached.size, "Searching the ways back")
-        homewards = replace(grid, start=int(vertices[k]))
-        found = search(homewards, field, speeds, float(arrival[k]) + asked.stay)
-        home[k] = found.arrival[grid.end]
-    sailed = np.array([_length_m(grid, out.path(v)) for v in vertices.tolist()])
-    return Explored(grid, out, arrival, home, back.departure[vertices], sailed)
+        return homewards.arrival(vertex_of[k], float(arrival[k]) + asked.stay)
+
+    with ThreadPoolExecutor(max_workers=min(4, os.cpu_count() or 1)) as pool:
+        for count, (k, time) in enumerate(zip(wanted, pool.map(sail_home, wanted), strict=True)):
+            job.report("search", count / len(wanted), "Searching the ways back")
+            home[k] = time
+    return Explored(grid, out, arrival, home, leave_by, sailed)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Homewards:
+    """Ways back to the start: one search each, and what they have in common.
+
+    Attributes
+    ----------
+    leave_by
+        ``(n,)`` latest departure from each vertex that is back in time.
+    """
+
+    asked: Outing
+    grid: Lattice
+    leave_by: Array
+
+    def arrival(self, vertex: int, departure: float) -> float:
+        """Give the earliest arrival at the start, seconds since 1970; inf where there is none."""
+        field, speeds = self.asked.field, self.asked.speeds
+        grid = replace(self.grid, start=vertex)
+        fastest = speeds.fastest(field.strongest)
+        hopeless = np.zeros(grid.vertices, dtype=bool)
+        if departure <= self.leave_by[vertex]:
+            # She is back in time, so no vertex on her way is left later than it may be.
+            there = chord_m(grid.lat, grid.lon, grid.lat[vertex], grid.lon[vertex]) / fastest
+            hopeless = departure + there > self.leave_by + 1.0
+        return float(search(grid, field, speeds, departure, hopeless=hopeless).arrival[grid.end])
+
+
+def _promising(asked: Outing, ports: Sequence[Position]) -> tuple[list[int], float]:
+    """Find the ports worth a fine approach, and how far from the start she gets [m].
+
+    A lattice without approaches tells when she is where at sea. Where the way into a port begins, no farther
+    off than such ways are followed, enough time must be left to sail it at her greatest speed; a few per
+    cent are granted for what that lattice cannot do.
+    """
+    grid = outing_lattice(asked, (), reach_m=asked.radius_m)
+    granted = asked.seconds * GRANTED
+    found = search(
+        grid, asked.field, asked.speeds, asked.departure, to_end=False, latest=asked.departure + granted
+    )
+    after = found.arrival - asked.departure
+    there = after <= granted
+    lat, lon, after = grid.lat[there], grid.lon[there], after[there]
+    fastest = asked.speeds.fastest(asked.field.strongest)
+    within = np.minimum((granted - after) * fastest, FARTHEST_WAY_NM * METRES_PER_NM)
+    promising = [k for k, port in enumerate(ports) if (great_circle_m(lat, lon, *port) <= within).any()]
+    return promising, float(great_circle_m(lat, lon, *asked.start).max())
 
 
 def _length_m(grid: Lattice, path: NDArray[np.int64]) -> float:
-    """True length of a way along edges [m]; NaN without one."""
+    """Measure a way along edges [m, true]; NaN without one."""
     if path.size == 0:
         return math.nan
     span = np.hypot(np.diff(grid.x[path]), np.diff(grid.y[path]))
@@ -268,23 +343,23 @@ def isochrones(
     x, y, after = _arrival_grid(lattice, sea, arrival - departure)
     if min(after.shape) < 2:
         return [Isochrone(h, ()) for h in hours]
-    never = 1e12
-    filled = np.where(np.isfinite(after), after, never)
     contours = contourpy.contour_generator(
         x,
         y,
-        np.ma.masked_array(filled, np.isnan(after)),
+        np.ma.masked_array(np.minimum(after, _NEVER_S), np.isnan(after)),
         corner_mask=True,
         fill_type=contourpy.FillType.OuterOffset,
     )
     found = []
     for h in hours:
-        points, offsets = contours.filled(-1.0, h * SECONDS_PER_HOUR)
+        # With OuterOffset: of each polygon its points, and where its rings begin in them.
+        filled = cast(
+            "tuple[list[Array], list[NDArray[np.uint32]]]", contours.filled(-1.0, h * SECONDS_PER_HOUR)
+        )
         polygons = []
-        for some, at in zip(points, offsets, strict=True):
-            lat, lon = from_mercator(some[:, 0], some[:, 1])
-            rings = np.stack([lat, lon], axis=1)
-            polygons.append(tuple(rings[a:b] for a, b in zip(at[:-1], at[1:], strict=True)))
+        for points, begins in zip(*filled, strict=True):
+            rings = np.stack(from_mercator(points[:, 0], points[:, 1]), axis=1)
+            polygons.append(tuple(rings[a:b] for a, b in pairwise(begins.tolist())))
         found.append(Isochrone(h, tuple(polygons)))
     return found
 
@@ -304,17 +379,16 @@ def _arrival_grid(lattice: Lattice, sea: Sea, after: Array) -> tuple[Array, Arra
     shape = (math.ceil(j[reached].max()) - j0 + 3, math.ceil(i[reached].max()) - i0 + 3)
     grid = np.full(shape, np.nan)
     for level in range(FINER + 1):
-        if level:
-            grid = _halved(grid)
+        grid = _halved(grid) if level else grid
         at_j, at_i = (j - j0) * 2**level, (i - i0) * 2**level
         column, row = np.rint(at_i).astype(np.int64), np.rint(at_j).astype(np.int64)
         on = (np.abs(at_i - column) < 1e-6) & (np.abs(at_j - row) < 1e-6)
         on &= (row >= 0) & (row < grid.shape[0]) & (column >= 0) & (column < grid.shape[1])
         grid[row[on], column[on]] = after[on]
-        side = lattice.spacing_m / 2**level
-        rows, columns = np.mgrid[: grid.shape[0], : grid.shape[1]]
-        x = x0 + side * (columns + i0 * 2**level + (rows + j0 * 2**level) / 2.0)
-        y = y0 + side * stencil.ROW_HEIGHT * (rows + j0 * 2**level)
+    rows, columns = np.mgrid[: grid.shape[0], : grid.shape[1]]
+    rows, columns = rows / 2**FINER + j0, columns / 2**FINER + i0
+    x = x0 + lattice.spacing_m * (columns + rows / 2.0)
+    y = y0 + lattice.spacing_m * stencil.ROW_HEIGHT * rows
     # The start's own place is a vertex of the lattice too, and only the start itself is there at once.
     grid[-j0 * 2**FINER, -i0 * 2**FINER] = 0.0
     dry = ~sea.is_water_at(x, y)

@@ -8,7 +8,7 @@ found. Then the waypoints leave the lattice: each is moved, dropped or put in un
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Final
+from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,6 +21,7 @@ from seacruise.routing.field import SpeedTable, WindField
 from seacruise.routing.lattice import Area, Lattice, Levels
 from seacruise.routing.search import search
 from seacruise.sea import Sea
+from seacruise.sea.zones import NO_ZONES, Zones
 from seacruise.units import METRES_PER_NM
 
 Array = NDArray[np.float64]
@@ -65,11 +66,22 @@ class Waters:
     sea: Sea
     field: WindField
     speeds: SpeedTable
+    zones: Zones = NO_ZONES
 
     @property
     def frame(self) -> tuple[float, float, float]:
         """Corner and cell of the sea's raster [m of the plane]."""
         return self.sea.water.x0, self.sea.water.y0, self.sea.water.cell
+
+    @property
+    def obstacles(self) -> tuple[Any, Any]:
+        """Land and zones, as the kernels that move waypoints want them."""
+        return self.sea.water.arrays, self.zones.arrays
+
+    def forbid(self, line: Line) -> bool:
+        """Tell whether a line enters a zone while it is valid."""
+        legs = np.stack([line.x[:-1], line.y[:-1], line.x[1:], line.y[1:]], axis=1)
+        return bool(self.zones.close(legs, line.times[:-1], line.times[1:]).any())
 
 
 def timed(waters: Waters, x: Array, y: Array, departure: float) -> Line:
@@ -97,13 +109,14 @@ def relaxed(waters: Waters, line: Line, *, split: bool = True) -> Line:
         np.array(LEGS_NM) * per_nm if split else np.full(len(STEPS_NM), np.inf),
         0.5,
         PIECE_M,
-        waters.sea.water.arrays,
+        waters.obstacles,
         waters.frame,
         waters.field.arrays,
         waters.speeds.arrays,
     )
     after = timed(waters, x, y, float(line.times[0]))
-    return after if after.seconds <= line.seconds else line
+    # A leg sailed earlier than it was judged may meet a zone that is not open yet.
+    return after if after.seconds <= line.seconds and not waters.forbid(after) else line
 
 
 def simplified(waters: Waters, line: Line, *, share: float = SIMPLIFY) -> Line:
@@ -116,12 +129,13 @@ def simplified(waters: Waters, line: Line, *, share: float = SIMPLIFY) -> Line:
         float(line.times[0]),
         share * line.seconds,
         PIECE_M,
-        waters.sea.water.arrays,
+        waters.obstacles,
         waters.frame,
         waters.field.arrays,
         waters.speeds.arrays,
     )
-    return timed(waters, x, y, float(line.times[0]))
+    after = timed(waters, x, y, float(line.times[0]))
+    return line if waters.forbid(after) else after
 
 
 def in_corridor(
@@ -148,7 +162,7 @@ def in_corridor(
         area=area,
         levels=levels,
     )
-    found = search(lattice, waters.field, waters.speeds, float(line.times[0]))
+    found = search(lattice, waters.field, waters.speeds, float(line.times[0]), zones=waters.zones)
     path = found.path(lattice.end)
     if path.size == 0:
         return None, lattice, found.settled

@@ -63,6 +63,7 @@ class Resailed:
     at: NDArray[np.int64]
     arrived: bool
     land_free: bool
+    zones_entered: tuple[str, ...]
     within_limits: bool
     fuel_l: float
     motor_s: float
@@ -105,6 +106,7 @@ def resail(asked: Question, course: Course, *, fuel_rate_l_h: float) -> Resailed
         at=at,
         arrived=arrived,
         land_free=is_land_free(course, asked.sea),
+        zones_entered=asked.zones.entered(rows[:, 1], rows[:, 2], rows[:, 0]) if asked.zones else (),
         # Between two looks a gust of the grid may exceed what the search saw, by rounding only.
         within_limits=limit is None or bool(rows[:, 5].max() <= limit * 1.005),
         fuel_l=motor_s / SECONDS_PER_HOUR * fuel_rate_l_h,

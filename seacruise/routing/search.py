@@ -10,10 +10,11 @@ from numpy.typing import NDArray
 
 from seacruise.routing.field import SpeedTable, WindField
 from seacruise.routing.lattice import Lattice, chord_m
+from seacruise.sea.zones import NO_ZONES, Zones
 from seacruise.units import METRES_PER_NM
 
 PIECE_M: Final = 8 * METRES_PER_NM
-"""Longest part of an edge that is sailed in the wind of its middle [m]."""
+"""Piece of an edge for a first look [m]; `seacruise.routing.refine.PIECE_M` is the fine one."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -53,6 +54,9 @@ def search(
     *,
     to_end: bool = True,
     latest: float = np.inf,
+    piece_m: float = PIECE_M,
+    zones: Zones = NO_ZONES,
+    hopeless: NDArray[np.bool_] | None = None,
 ) -> Found:
     """Earliest arrivals from the lattice's start.
 
@@ -62,6 +66,13 @@ def search(
         Seconds since 1970.
     to_end
         Goal-directed and stopping at the end; else every vertex that is reached before ``latest``.
+    piece_m
+        Longest part of an edge that is sailed in the wind of its middle [m].
+    zones
+        Closed areas; an edge that enters one while it is valid is not sailed. Nobody waits for a zone to
+        open: of two ways to a vertex the earlier is kept, even where the later one could go on.
+    hopeless
+        ``(n,)`` vertices over which no fastest way to the end leads: they are looked at last.
     """
     from seacruise.routing import _kernels as k
 
@@ -73,6 +84,8 @@ def search(
                 chord_m(lattice.lat, lattice.lon, lattice.lat[lattice.end], lattice.lon[lattice.end])
                 / fastest
             )
+    if hopeless is not None:
+        ahead[hopeless] = np.inf
     return Found(
         *k.search(
             lattice.start,
@@ -82,9 +95,10 @@ def search(
             ahead,
             lattice.points,
             lattice.edges,
-            PIECE_M,
+            piece_m,
             field.arrays,
             speeds.arrays,
+            zones.arrays,
         )
     )
 

@@ -152,7 +152,7 @@ class Sea:
         py = self.water.y0 + (rows + r0 + 0.5) * cell
         away = (px - x) ** 2 + (py - y) ** 2
         best = int(np.argmin(away))
-        if within_nm < FARTHEST_SNAP_NM and away[best] > (reach * cell) ** 2:
+        if away[best] > (reach * cell) ** 2:
             return None
         if cells[row, column] >= k.WATER:
             return Snap(lat, lon, 0.0)

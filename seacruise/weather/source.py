@@ -38,6 +38,7 @@ def fetch_wind(
     job: Job,
     is_water: IsWater | None = None,
     now: datetime | None = None,
+    margin_deg: float | None = None,
 ) -> Wind:
     """Get the wind for a passage.
 
@@ -53,6 +54,9 @@ def fetch_wind(
         Timezone-aware, or ``None`` for now; a service is not asked about a day it does not forecast.
     is_water
         Tells for arrays of latitudes and longitudes which are water, so that no request is spent on land.
+    margin_deg
+        Room around start and end for which wind is wanted [degrees of latitude], where a passage between
+        them is not all that is asked; files are then kept whole.
 
     Raises
     ------
@@ -73,12 +77,15 @@ def fetch_wind(
         job.report("wind", None, f"Wind from {chosen}, because {why}")
     job.check()
     if kind == "files":
-        return _mean([_read(name, (start, end), job) for name in names])
+        around = (start, end) if margin_deg is None else ()
+        wind = _mean([_read(name, around, job) for name in names])
+        require_cover(wind.forecast.source, (wind.lat, wind.lon), (start, end))
+        return wind
     if kind == "stormglass":
         # loading the HTTP library takes 0.1 s, which other sources need not pay
         from seacruise.weather.stormglass import StormGlass
 
-        box = passage_box((start, end), SERVICE_MARGIN_DEG)
+        box = passage_box((start, end), SERVICE_MARGIN_DEG if margin_deg is None else margin_deg)
         return StormGlass(settings).wind(box, departure=departure, now=now, job=job, is_water=is_water)
     wind = practice_wind(now) if kind == "practice" else sample_wind()
     require_cover(wind.forecast.source, (wind.lat, wind.lon), (start, end))
@@ -198,7 +205,7 @@ def _kind(names: Sequence[str]) -> str:
     return "files"
 
 
-def _read(name: str, around: tuple[Place, Place], job: Job) -> Wind:
+def _read(name: str, around: tuple[Place, ...], job: Job) -> Wind:
     job.report("wind", None, f"Reading {Path(name).name}")
     return read_isolated(Path(name), around=around, job=job)
 

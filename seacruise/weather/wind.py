@@ -148,21 +148,6 @@ class Wind:
         """Tell which positions [degrees] lie on the grid, its edge included; of the broadcast shape."""
         return is_on_grid(self.lat, self.lon, lat, lon)
 
-    def crop(self, south: float, west: float, north: float, east: float) -> Wind:
-        """Smallest part of the grid that holds a box [degrees]: same wind inside, less memory.
-
-        Where the box reaches beyond the grid, the grid's edge is the limit.
-        """
-        rows, columns = _enclosing(self.lat, south, north), _enclosing(self.lon, west, east)
-        return Wind(
-            time=self.time,
-            lat=self.lat[rows],
-            lon=self.lon[columns],
-            u=self.u[:, rows, columns],
-            v=self.v[:, rows, columns],
-            forecast=self.forecast,
-        )
-
     def describe_area(self) -> str:
         """Name the covered area for a sentence: ``52.0 to 67.0 N, 7.0 to 32.0 E``."""
         return describe_area(self.lat, self.lon)
@@ -187,14 +172,6 @@ def _bilinear(
     south = grid[t, y, x] * (1.0 - wx) + grid[t, y, x1] * wx
     north = grid[t, y1, x] * (1.0 - wx) + grid[t, y1, x1] * wx
     return np.asarray(south * (1.0 - wy) + north * wy)
-
-
-def _enclosing(axis: Array, low: float, high: float) -> slice:
-    first = int(np.clip(np.searchsorted(axis, low, side="right") - 1, 0, max(axis.size - 2, 0)))
-    last = int(
-        np.clip(np.searchsorted(axis, high, side="left"), min(first + 1, axis.size - 1), axis.size - 1)
-    )
-    return slice(first, last + 1)
 
 
 def is_on_grid(grid_lat: Array, grid_lon: Array, lat: ArrayLike, lon: ArrayLike) -> NDArray[np.bool_]:

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from seacruise.errors import InputError
+from seacruise.settings import typed_path
 from seacruise.text import did_you_mean, fold, folds, rank_names, same_name, suggestions
 from seacruise.yacht.files import read_polar
 from seacruise.yacht.polar import Polar
@@ -101,7 +102,7 @@ def find_yacht(text: str, fleet: Fleet) -> Polar:
     for name, typed_as in keys.items():
         if same_name(text, typed_as):
             return fleet.yachts[name]
-    path = Path(text).expanduser()
+    path = typed_path(text)
     if path.suffix.lower() in POLAR_SUFFIXES or "/" in text or "\\" in text or _exists(path):
         return read_polar(path)
     found = rank_names(text, keys) if any(folds(text)) else []

@@ -209,9 +209,29 @@ def test_it_remembers_everything_but_the_departure(form: PassageForm, app: QAppl
     form.fill({"forecast": ["practice"], "motor_below_kn": 2.5})
     kept = form.contents()
     other = PassageForm()
-    other.fill(kept)
+    other.restore(kept)
     assert other.contents() == kept
     assert "depart" not in kept
+
+
+def test_a_damaged_memory_fills_in_what_it_can(app: QApplication) -> None:
+    form = PassageForm()
+    form.restore(
+        {
+            "start": "Visby",
+            "end": 5,
+            "yacht": ["Carter 30"],
+            "forecast": 7,
+            "directions": "x",
+            "percent_of_polar": "abc",
+            "max_wind_kn": None,
+            "motor_below_kn": 2.5,
+        }
+    )
+    assert (form.start_field.text(), form.end_field.text(), form.wanted_yacht) == ("Visby", "", "")
+    assert form.forecast == ("auto",)
+    options = form.options()
+    assert (options.directions, options.percent_of_polar, options.motor_below_kn) == (None, 100.0, 2.5)
 
 
 def test_every_field_has_a_name_for_those_who_cannot_see_it(form: PassageForm) -> None:

@@ -20,7 +20,7 @@ REASONS: list[tuple[type[SeaCruiseError], str]] = [
     *((NoPassageError, reason) for reason in ("becalmed", "no-water-path", "wind-limit", "dead-angle")),
     (NoPassageError, "outside-forecast"),
     *((WeatherError, r) for r in ("no-network", "no-key", "bad-key", "quota", "bad-response", "timeout")),
-    *((InputError, r) for r in ("bad-input", "same-port", "departure")),
+    *((InputError, r) for r in ("bad-input", "not-written", "same-port", "departure")),
 ]
 
 

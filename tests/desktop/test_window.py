@@ -17,11 +17,12 @@ from PySide6.QtWidgets import QApplication, QFileDialog
 from pytestqt.qtbot import QtBot
 
 from seacruise.desktop.app import _faults_shown
+from seacruise.desktop.exporting import save_image
 from seacruise.desktop.memory import WindowMemory
 from seacruise.desktop.messages import WayOut
 from seacruise.desktop.state import Phase
 from seacruise.desktop.window import MainWindow
-from seacruise.errors import NoPassageError, WeatherError
+from seacruise.errors import InputError, NoPassageError, WeatherError
 from seacruise.resources import resource_path
 from seacruise.settings import Settings
 from tests.desktop.conftest import ASK, HeldPlanner, texts_of
@@ -313,7 +314,8 @@ def test_the_passage_is_saved(
     elif suffix == "csv":
         assert content.count(b"\n") >= len(answered.legs.legs._waypoints)
     else:
-        assert QImage(str(target)).size() == answered.chart.view.size()
+        # The sheet that the command line draws, with title and sources; not the window's buttons.
+        assert QImage(str(target)).text("Software") == "SeaCruise"
 
 
 def test_a_file_that_cannot_be_written_is_told(
@@ -324,8 +326,20 @@ def test_a_file_that_cannot_be_written_is_told(
     monkeypatch.setattr(QFileDialog, "open", lambda dialog: dialog.fileSelected.emit(str(target)))
     with qtbot.waitSignal(answered.exporter.failed, timeout=20_000):
         answered.menus.exports[0].trigger()
-    assert "out.gpx" in texts_of(answered)
+    said = texts_of(answered)
+    assert "out.gpx" in said
+    assert "The file was not saved" in said
     assert answered.state.phase is Phase.ROUTE
+
+
+def test_a_picture_is_written_whole_or_not_at_all(window: MainWindow, tmp_path: Path) -> None:
+    image, target = window.grab().toImage(), tmp_path / "out" / "window.png"
+    with pytest.raises(InputError, match=r"there is no folder .*out"):
+        save_image(image, target)
+    target.parent.mkdir()
+    save_image(image, target)
+    assert QImage(str(target)).size() == image.size()
+    assert [path.name for path in target.parent.iterdir()] == [target.name]
 
 
 def test_nothing_is_saved_before_there_is_a_passage(window: MainWindow) -> None:
@@ -376,7 +390,13 @@ def test_the_window_remembers(make_window: MakeWindow, settings: Settings, app: 
     assert not second.menus.layers["ports"].isChecked()
 
 
-@pytest.mark.parametrize("content", ["", "\x00\x01garbage", "[General]\nform=[1,2\nlayers=7\n"])
+WRONG_KINDS = r"""[General]
+form="{\"forecast\": 7, \"percent_of_polar\": \"abc\", \"yacht\": [1]}"
+layers="[1, 2"
+"""
+
+
+@pytest.mark.parametrize("content", ["", "\x00\x01garbage", "[General]\nform=[1,2\nlayers=7\n", WRONG_KINDS])
 def test_a_broken_memory_is_no_obstacle(make_window: MakeWindow, settings: Settings, content: str) -> None:
     settings.data_dir.mkdir(parents=True)
     (settings.data_dir / "window.ini").write_text(content)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from datetime import UTC, datetime
 from typing import Any
 
@@ -132,18 +131,6 @@ def test_covers_includes_the_edge_only() -> None:
     )
 
 
-@given(st.floats(50, 60), st.floats(50, 60), st.floats(10, 25), st.floats(10, 25))
-def test_a_cropped_wind_is_the_same_inside_the_box(a: float, b: float, c: float, d: float) -> None:
-    south, north, west, east = min(a, b), max(a, b), min(c, d), max(c, d)
-    part = WIND.crop(south, west, north, east)
-    assert part.lat.size >= 2
-    assert part.lon.size >= 2
-    lat, lon = np.linspace(south, north, 5)[:, None], np.linspace(west, east, 5)[None, :]
-    inside = WIND.covers(lat, lon)
-    for whole, cropped in zip(WIND.at(1000.0, lat, lon), part.at(1000.0, lat, lon), strict=True):
-        np.testing.assert_allclose(whole[inside], cropped[inside], atol=1e-5)
-
-
 @given(st.floats(0.01, 100), st.floats(0, 360, exclude_max=True))
 def test_speed_and_direction_survive_the_round_trip(speed: float, direction: float) -> None:
     back_speed, back_direction = to_direction(*from_direction(speed, direction))
@@ -169,7 +156,3 @@ def test_a_grid_is_described_by_its_usual_step() -> None:
     assert (last - first).total_seconds() == 18000
     assert (step_h, resolution) == (1.0, 1.0)
     assert describe_grid(np.array([0.0]), LAT[:1], LON)[2:] == (0.0, 1.5)
-
-
-def test_the_forecast_travels_with_the_part() -> None:
-    assert WIND.crop(54, 16, 55, 17).forecast == replace(FORECAST)

@@ -69,7 +69,6 @@ class Picture:
 
     extent: Extent
     image: QImage
-    lattice_shown: bool
 
 
 def polygon_of(ring: Points) -> QPolygonF:
@@ -119,7 +118,7 @@ class Painter:
                 _paint_lattice(painter, extent, lattice, job)
         finally:
             painter.end()
-        return Picture(extent, image, lattice is not None)
+        return Picture(extent, image)
 
     def _paint_land(self, painter: QPainter, extent: Extent, job: Job) -> None:
         metres = 1.0 / extent.scale

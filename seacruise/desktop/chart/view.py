@@ -9,7 +9,6 @@ from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, Qt, QTimer, Signal
 from PySide6.QtGui import (
     QColor,
     QContextMenuEvent,
-    QImage,
     QKeyEvent,
     QMouseEvent,
     QPainter,
@@ -157,10 +156,6 @@ class ChartView(QGraphicsView):
         """Bring a position to the middle."""
         self.centerOn(point(lat, lon))
         self._moved()
-
-    def picture(self) -> QImage:
-        """Give the chart as it is on the screen."""
-        return self.grab().toImage()
 
     @property
     def is_settled(self) -> bool:

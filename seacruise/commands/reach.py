@@ -1,0 +1,132 @@
+"""``seacruise reach``: every port that can be reached in a time, with the time out and the time back."""
+
+from __future__ import annotations
+
+import argparse
+from datetime import UTC, datetime
+from typing import TYPE_CHECKING, Any
+
+from seacruise.commands import request as ask
+from seacruise.commands.common import add_format, cancellable_job, number_between, parse_path, say
+
+if TYPE_CHECKING:
+    from seacruise.passage import Options
+    from seacruise.ports import Port
+    from seacruise.progress import Job
+    from seacruise.settings import Settings
+    from seacruise.weather.wind import Wind
+    from seacruise.yacht.polar import Polar
+
+FILES = {"geojson": "GeoJSON file", "chart": "chart"}
+
+
+def add_parser(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    """Add the sub-command."""
+    parser = commands.add_parser(
+        "reach",
+        help="the ports that can be reached in a time, and back",
+        description="Print every port that can be reached within some hours, with the time out and back.",
+    )
+    ask.add_start(parser)
+    parser.add_argument(
+        "--hours",
+        required=True,
+        type=number_between(0.5, 336, "h"),
+        metavar="H",
+        help="the time there is, out and back",
+    )
+    parser.add_argument(
+        "--stay",
+        type=number_between(0, 336, "h"),
+        default=0.0,
+        metavar="H",
+        help="time in the port before sailing back (default: 0)",
+    )
+    ask.add_yacht(parser, required=True)
+    ask.add_sail_options(parser)
+    files = parser.add_argument_group("files to write (an existing file of that name is replaced)")
+    files.add_argument(
+        "--geojson",
+        type=parse_path,
+        metavar="F.geojson",
+        help="the water reached hour by hour, and the ports",
+    )
+    files.add_argument("--chart", type=parse_path, metavar="F.png", help="the same on a chart")
+    add_format(parser)
+    parser.set_defaults(run=run)
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Search, print, write; the exit code is 0 or that of the error."""
+    from seacruise.atomic import check_target
+    from seacruise.export.reach import reach_to_json, reach_to_text, write_reach_geojson
+    from seacruise.ports import find_port, load_ports
+    from seacruise.reach import ReachRequest, reach
+    from seacruise.settings import Settings
+
+    for name, what in FILES.items():
+        if getattr(arguments, name):
+            check_target(getattr(arguments, name), what)
+    settings = Settings.from_environment()
+    ports = load_ports()
+    start = find_port(arguments.start, ports)
+    yacht = ask.find_yacht_named(arguments.yacht, settings)
+    options = ask.options_from(arguments)
+    with cancellable_job() as job:
+        wind = _fetch(arguments, start, yacht, options, settings=settings, job=job)
+        asked = ReachRequest(
+            start, yacht, wind, arguments.hours, arguments.depart, stay_h=arguments.stay, options=options
+        )
+        reached = reach(asked, ports=ports, settings=settings, job=job)
+    if arguments.format == "json":
+        from seacruise.export.jsonform import dumps
+
+        print(dumps(reach_to_json(reached)))
+        for notice in reached.notices:
+            say(f"Note: {notice}")
+    else:
+        print(reach_to_text(reached, now=datetime.now(UTC)))
+    if arguments.geojson:
+        write_reach_geojson(reached, arguments.geojson)
+        say(f"Wrote {arguments.geojson}")
+    if arguments.chart:
+        from seacruise.export.chart import write_reach_chart
+
+        write_reach_chart(reached, arguments.chart, wind=wind)
+        say(f"Wrote {arguments.chart}")
+    return 0
+
+
+def _fetch(
+    arguments: argparse.Namespace,
+    start: Port,
+    yacht: Polar,
+    options: Options,
+    *,
+    settings: Settings,
+    job: Job,
+) -> Wind:
+    """Get the wind around the start, as far as the ports lie that she may reach."""
+    from seacruise.ports import load_ports
+    from seacruise.reach import farthest_nm, margin_deg
+    from seacruise.sea import Sea
+    from seacruise.weather.source import SERVICE_MARGIN_DEG, fetch_wind
+
+    most = farthest_nm(yacht, options, arguments.hours)
+    margin = SERVICE_MARGIN_DEG + margin_deg(start, load_ports(), most)
+
+    def is_water(lat: Any, lon: Any) -> Any:
+        sea = Sea.around((start.lat,), (start.lon,), margin_deg=margin, cache_dir=settings.cache_dir)
+        return sea.is_water(lat, lon)
+
+    here = (start.lat, start.lon)
+    return fetch_wind(
+        arguments.forecast or ["auto"],
+        start=here,
+        end=here,
+        departure=arguments.depart,
+        settings=settings,
+        job=job,
+        is_water=is_water,
+        margin_deg=margin,
+    )
