@@ -6,8 +6,19 @@ touched, so that ``import seacruise`` costs nothing::
     from pathlib import Path
     import seacruise
 
-    settings = seacruise.Settings.from_environment()
-    passage = seacruise.plan(request, settings=settings, job=seacruise.Job())
+    settings, job = seacruise.Settings.from_environment(), seacruise.Job()
+    ports = seacruise.load_ports()
+    start, end = seacruise.find_port("Gdynia", ports), seacruise.find_port("Stockholm", ports)
+    yacht = seacruise.read_polar(Path("my-yacht.csv"))
+    wind = seacruise.fetch_wind(
+        ["sample"],
+        start=(start.lat, start.lon),
+        end=(end.lat, end.lon),
+        departure=None,
+        settings=settings,
+        job=job,
+    )
+    passage = seacruise.plan(seacruise.PassageRequest(start, end, yacht, wind), settings=settings, job=job)
     print(passage.duration_h)
 """
 
@@ -29,7 +40,9 @@ if TYPE_CHECKING:
     from seacruise.progress import Job
     from seacruise.sea import Sea
     from seacruise.settings import Settings
+    from seacruise.weather.source import fetch_wind
     from seacruise.weather.wind import Forecast, Wind
+    from seacruise.yacht.files import read_polar
     from seacruise.yacht.polar import Polar
 
 __version__ = "0.1.0"
@@ -52,9 +65,11 @@ __all__ = [
     "WeatherError",
     "Wind",
     "__version__",
+    "fetch_wind",
     "find_port",
     "load_ports",
     "plan",
+    "read_polar",
 ]
 
 _HOME_OF = {
@@ -74,9 +89,11 @@ _HOME_OF = {
     "Waypoint": "passage",
     "WeatherError": "errors",
     "Wind": "weather.wind",
+    "fetch_wind": "weather.source",
     "find_port": "ports",
     "load_ports": "ports",
     "plan": "passage",
+    "read_polar": "yacht.files",
 }
 
 

@@ -22,6 +22,13 @@ def check_target(path: Path, what: str) -> None:
     InputError
         The folder is missing or closed to us, or the target is itself a folder.
     """
+    try:
+        _check_target(path, what)
+    except OSError as error:
+        raise _not_written(path, what, f"{_reason(error)}; choose another place") from error
+
+
+def _check_target(path: Path, what: str) -> None:
     folder = path.absolute().parent
     if path.is_dir():
         raise _not_written(path, what, "that is a folder; add a file name")
@@ -72,12 +79,17 @@ def write_atomically(path: Path, content: str | bytes, *, what: str) -> None:
     except OSError as error:
         if temporary is not None:
             temporary.unlink(missing_ok=True)
-        reason = (error.strerror or str(error)).lower()
-        raise _not_written(path, what, f"{reason}; choose another place or make room there") from error
+        raise _not_written(
+            path, what, f"{_reason(error)}; choose another place or make room there"
+        ) from error
 
 
 def _not_written(path: Path, what: str, why: str) -> InputError:
     return InputError(f"The {what} cannot be written to {path}: {why}.", reason="not-written")
+
+
+def _reason(error: OSError) -> str:
+    return (error.strerror or str(error)).lower()
 
 
 def _is_device(path: Path) -> bool:

@@ -15,12 +15,11 @@ import numpy as np
 
 from seacruise.errors import InputError, NoPassageError
 from seacruise.geodesy import great_circle_m
-from seacruise.model import Options, Passage, PassageRequest, Place
+from seacruise.model import Options, Passage, PassageRequest, Place, check_options
 from seacruise.passage import (
     NOBODY,
     SAME_PLACE_NM,
     check_cover,
-    check_options,
     departure_of,
     how_of,
     place_of,
@@ -48,6 +47,9 @@ LONGEST_H: Final = 14 * 24.0
 
 WITHIN_S: Final = 300.0
 """A later departure than the one found by this much is too late [s]."""
+
+FAR_NM: Final = 2.0
+"""A port farther than this from its water is named [nm]."""
 
 _STEPS_H: Final = (0.25, 0.5, 1, 2, 3, 6, 12, 24, 48)
 _MOST_LINES: Final = 8
@@ -91,6 +93,8 @@ class PortReached:
     ----------
     lat, lon
         Water of the port [degrees], where the way ends.
+    snapped_nm
+        How far that is from the port's own position [nm].
     distance_nm
         Length of the way there, without tacks [nm].
     out_h, back_h
@@ -108,6 +112,7 @@ class PortReached:
     port: Port
     lat: float
     lon: float
+    snapped_nm: float
     distance_nm: float
     out_h: float
     arrival: datetime
@@ -280,7 +285,6 @@ def _port_reached(
     leaves = arrival + asked.stay
     horizon = max(request.wind.forecast.valid_to.timestamp(), asked.departure)
     leave_by = float(explored.leave_by[number])
-    fits = leaves <= leave_by
     held = max(0.0, arrival - horizon)
     if math.isfinite(home):
         held += max(0.0, home - max(leaves, horizon))
@@ -288,12 +292,13 @@ def _port_reached(
         port=port,
         lat=place.lat,
         lon=place.lon,
+        snapped_nm=place.snapped_nm,
         distance_nm=float(explored.sailed_m[number]) / METRES_PER_NM,
         out_h=(arrival - asked.departure) / SECONDS_PER_HOUR,
         arrival=datetime.fromtimestamp(arrival, UTC),
         back_h=(home - leaves) / SECONDS_PER_HOUR if math.isfinite(home) else None,
-        leave_by=datetime.fromtimestamp(leave_by, UTC) if fits else None,
-        return_fits=fits,
+        leave_by=datetime.fromtimestamp(leave_by, UTC) if leaves <= leave_by else None,
+        return_fits=home <= asked.deadline,
         beyond_forecast_h=held / SECONDS_PER_HOUR,
     )
 
@@ -312,11 +317,17 @@ def _notices(request: ReachRequest, start: Place, found: Sequence[PortReached]) 
             f"She sets out {start.snapped_nm:.1f} nm from {start.name}, at the nearest water of the chart "
             "that is connected with the open sea."
         )
+    inland = [port.port.name for port in found if port.snapped_nm > FAR_NM]
+    if inland:
+        said.append(
+            f"More than {FAR_NM:g} nm from the water that is connected with the open sea, to which the time "
+            f"counts: {', '.join(inland)}."
+        )
     held = sum(port.beyond_forecast_h > 1 / 60 for port in found)
     if held:
-        ways = "1 port is" if held == 1 else f"{held} ports are"
+        ways = "one port" if held == 1 else f"{held} ports"
         said.append(
-            f"The way to or from {ways} sailed in part in the last known wind, held beyond the end of the "
+            f"Ways to or from {ways} are sailed in part in the last known wind, held beyond the end of the "
             "forecast."
         )
     return tuple(said)
@@ -388,6 +399,7 @@ def _guess(request: PassageRequest, best: Passage, deadline: datetime, settings:
         (start.lat, start.lon),
         (end.lat, end.lon),
         best.departure.timestamp(),
+        request.zones,
     )
     found = the_finder().fastest(asked, job=NOBODY, ledger=Ledger())
     winds = wind_field(request.wind, slice_s=COARSE_SLICE_S, since=asked.departure)

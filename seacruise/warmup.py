@@ -14,9 +14,10 @@ from seacruise.settings import Settings
 
 
 def warm_up(settings: Settings | None = None) -> None:
-    """Plan a short passage on the bundled wind, which compiles and caches everything a long one needs."""
+    """Plan a short passage and a short outing on the bundled wind: what long ones need is then compiled."""
     from seacruise.passage import PassageRequest, plan
     from seacruise.ports import find_port, load_ports
+    from seacruise.reach import ReachRequest, reach
     from seacruise.resources import resource_path
     from seacruise.weather.sample import sample_wind
     from seacruise.yacht.fleet import find_yacht, load_fleet
@@ -30,7 +31,10 @@ def warm_up(settings: Settings | None = None) -> None:
         wind=wind,
         departure=wind.forecast.valid_from + timedelta(hours=6),
     )
-    plan(request, settings=settings or Settings.from_environment(), job=Job())
+    settings = settings or Settings.from_environment()
+    plan(request, settings=settings, job=Job())
+    outing = ReachRequest(request.start, request.yacht, wind, 2.0, request.departure)
+    reach(outing, ports=ports, settings=settings, job=Job())
 
 
 if __name__ == "__main__":

@@ -86,6 +86,18 @@ def test_a_missing_folder_is_named_before_anything_is_computed(tmp_path: Path) -
         check_target(tmp_path / "nowhere" / "a.png", "chart")
 
 
+def test_what_cannot_even_be_looked_at_is_one_sentence(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def closed(*_: Any, **__: Any) -> bool:
+        raise PermissionError(errno.EACCES, "Permission denied")
+
+    monkeypatch.setattr(Path, "is_dir", closed)
+    with pytest.raises(InputError, match="permission denied; choose another place") as caught:
+        check_target(tmp_path / "a.png", "chart")
+    assert caught.value.reason == "not-written"
+
+
 @pytest.mark.skipif(
     sys.platform == "win32" or (hasattr(os, "geteuid") and os.geteuid() == 0),
     reason="root may write everywhere",

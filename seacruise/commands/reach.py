@@ -90,9 +90,9 @@ def run(arguments: argparse.Namespace) -> int:
         write_reach_geojson(reached, arguments.geojson)
         say(f"Wrote {arguments.geojson}")
     if arguments.chart:
-        from seacruise.export.chart import write_reach_chart
+        from seacruise.export.reach_chart import write_reach_chart
 
-        write_reach_chart(reached, arguments.chart, wind=wind)
+        write_reach_chart(reached, arguments.chart)
         say(f"Wrote {arguments.chart}")
     return 0
 

@@ -63,7 +63,7 @@ def chart(passage: Passage, *, wind: Wind | None = None) -> bytes:
     wind
         Source of the barbs; without it there are none.
     """
-    frame = _frame(passage)
+    frame = _frame(passage.track.lon, passage.track.lat)
     figure, axes = _canvas(frame)
     land = _draw_land(axes, frame)
     _draw_graticule(axes, frame)
@@ -118,9 +118,9 @@ def _latitude(ordinate: float | NDArray[np.float64]) -> NDArray[np.float64]:
     return np.asarray(np.degrees(np.arctan(np.sinh(np.radians(ordinate)))))
 
 
-def _frame(passage: Passage) -> _Frame:
-    """Fit the sheet round the passage: upright or across, with room for the labels."""
-    x, y = passage.track.lon, _mercator(passage.track.lat)
+def _frame(lon: NDArray[np.float64], lat: NDArray[np.float64]) -> _Frame:
+    """Fit the sheet round positions [degrees]: upright or across, with room for the labels."""
+    x, y = lon, _mercator(lat)
     west, east, low, high = float(x.min()), float(x.max()), float(y.min()), float(y.max())
     upright = high - low > east - west
     width_in, height_in = (_SHORT_SIDE_IN, _LONG_SIDE_IN) if upright else (_LONG_SIDE_IN, _SHORT_SIDE_IN)

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from seacruise.compiled import inlined, kernel
+from seacruise.compiled import kernel
 from seacruise.routing._kernels import STILL, _sift_down, _sift_up, boat_speed, sail_edge
 
 MARGIN = 1e-3
@@ -18,7 +18,7 @@ TRIES = 12
 """How often a departure is put forward, twice as far each time, until sailing forwards agrees with it."""
 
 
-@inlined
+@kernel
 def sail_line_back(t, lat0, lon0, lat1, lon1, length, east, north, piece, wind, speeds):
     """Latest departure [s] on a straight leg that arrives at its end by ``t``; -inf if there is none."""
     u, v, t0, step, south, per_lat, west, per_lon = wind
@@ -62,7 +62,7 @@ def sail_line_back(t, lat0, lon0, lat1, lon1, length, east, north, piece, wind, 
     return t
 
 
-@inlined
+@kernel
 def sail_edge_back(t, a, b, points, piece, wind, speeds):
     """`sail_line_back` from vertex a to b of ``points`` = (x, y, lat, lon, scale), each ``(n,)``."""
     x, y, lat, lon, scale = points
@@ -76,7 +76,7 @@ def sail_edge_back(t, a, b, points, piece, wind, speeds):
     )
 
 
-@inlined
+@kernel
 def confirmed(leave, t, a, b, points, piece, wind, speeds):
     """Put the departure of an edge forward until the forward integrator itself arrives by ``t``."""
     if leave == -np.inf or leave == t:

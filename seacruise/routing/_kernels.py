@@ -250,7 +250,7 @@ def _latitude(y):
     return np.degrees(np.arctan(np.sinh(y / EARTH_RADIUS)))
 
 
-@inlined
+@kernel
 def sail_rhumb(t, x0, y0, x1, y1, piece, wind, speeds):
     """`sail_line` along the rhumb line between two points of the Mercator plane [m]."""
     dx, dy = x1 - x0, y1 - y0

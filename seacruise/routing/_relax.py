@@ -8,13 +8,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from seacruise.compiled import inlined, kernel
+from seacruise.compiled import kernel
 from seacruise.routing._kernels import sail_rhumb
 from seacruise.sea._kernels import free_line
 from seacruise.sea._prisms import closed
 
 
-@inlined
+@kernel
 def _free(water, frame, x0, y0, t0, x1, y1, t1):
     """Tell whether a leg touches neither land nor a zone valid when she is there.
 
@@ -27,13 +27,13 @@ def _free(water, frame, x0, y0, t0, x1, y1, t1):
     return free_line(raster, (x0 - ox) / cell, (y0 - oy) / cell, (x1 - ox) / cell, (y1 - oy) / cell)
 
 
-@inlined
+@kernel
 def _retime(x, y, times, count, since, piece, wind, speeds):
     for k in range(since, count):
         times[k] = sail_rhumb(times[k - 1], x[k - 1], y[k - 1], x[k], y[k], piece, wind, speeds)
 
 
-@inlined
+@kernel
 def _move(x, y, times, count, step, piece, water, frame, wind, speeds):
     """Try to shift each waypoint by ``step`` in twelve directions; returns the seconds gained."""
     gained = 0.0
@@ -67,7 +67,7 @@ def _move(x, y, times, count, step, piece, water, frame, wind, speeds):
     return gained
 
 
-@inlined
+@kernel
 def _drop(x, y, times, count, slack, piece, water, frame, wind, speeds):
     """Leave out waypoints where sailing straight on costs at most ``slack`` seconds; give their count."""
     k = 1
@@ -88,7 +88,7 @@ def _drop(x, y, times, count, slack, piece, water, frame, wind, speeds):
     return count
 
 
-@inlined
+@kernel
 def _split(x, y, count, longest, most):
     """Put a waypoint into the middle of each leg longer than ``longest``; returns the new count."""
     k = 0

@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from seacruise.compiled import inlined, kernel
+from seacruise.compiled import kernel
 
 
-@inlined
+@kernel
 def _bracket(axis, value):
     """Index before a value on an increasing axis, and how far towards the next it lies; ends are held."""
     n = axis.size
@@ -23,7 +23,7 @@ def _bracket(axis, value):
     return k, (value - axis[k]) / (axis[k + 1] - axis[k])
 
 
-@inlined
+@kernel
 def _meet(grid, t, lat, lon):
     """Wind u, v [m/s]: linear in time and bilinear in space; ``grid`` = (time, lat, lon, u, v)."""
     times, lats, lons, u, v = grid
@@ -41,7 +41,7 @@ def _meet(grid, t, lat, lon):
     return east, north
 
 
-@inlined
+@kernel
 def _go(polar, tws, twa, motor_below, motor_speed):
     """Speed [m/s] by a table ``(speeds (w, a), per_tws, per_twa)``, and whether the engine gives it."""
     table, per_tws, per_twa = polar
@@ -57,7 +57,7 @@ def _go(polar, tws, twa, motor_below, motor_speed):
     return sail, False
 
 
-@inlined
+@kernel
 def _relative(east, north, course):
     """TWS [m/s], TWD [degrees] and folded TWA [degrees]."""
     tws = np.sqrt(east * east + north * north)

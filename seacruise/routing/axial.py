@@ -20,7 +20,9 @@ def keys(i: Whole, j: Whole) -> Whole:
 
 def unique(i: Whole, j: Whole) -> tuple[Whole, Whole]:
     """Positions without repetition, sorted by row, then by column."""
-    found = np.unique(keys(i, j))
+    found = np.sort(keys(i, j))
+    # Sorting beats np.unique, which hashes first.
+    found = found[np.append(True, found[1:] != found[:-1])] if found.size else found
     return (found & 0xFFFFFFFF) - _SHIFT, (found >> 32) - _SHIFT
 
 

@@ -27,6 +27,7 @@ MOST_EDGES: Final = 60_000_000
 """Finer lattices are refused: they would not fit in the memory of a small computer."""
 
 _JOINED: Final = 48
+_AT_ONCE: Final = 1_000_000
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -266,10 +267,13 @@ class _Grower:
     def _join(self, patch: _Patch, i: axial.Whole, j: axial.Whole, offsets: NDArray[np.int64]) -> None:
         """Add the edges that cross no land, both ways; half of the stencil finds them all."""
         xs, ys = np.concatenate(self.x), np.concatenate(self.y)
-        for di, dj in offsets[: len(offsets) // 2].tolist():
-            place = patch.index.at(i + di, j + dj)
+        half = offsets[: len(offsets) // 2]
+        at_once = max(1, _AT_ONCE // max(1, i.size))
+        for k in range(0, len(half), at_once):
+            some = half[k : k + at_once]
+            place = patch.index.at((i + some[:, :1]).ravel(), (j + some[:, 1:]).ravel())
             both = np.flatnonzero(place >= 0)
-            a, b = patch.numbers[both], patch.numbers[place[both]]
+            a, b = patch.numbers[both % i.size], patch.numbers[place[both]]
             free = self.sea.clear(np.stack([xs[a], ys[a], xs[b], ys[b]], axis=1))
             self.a.append(a[free])
             self.b.append(b[free])

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from seacruise.compiled import inlined, kernel
+from seacruise.compiled import kernel
 
 LAND, SHORE, SHORE_WATER, WATER = 0, 1, 2, 3
 """Classes of a cell: land or lake; crossed by a shoreline, its centre on land; the same with its centre
@@ -67,7 +67,7 @@ def draw_polygons(x, y, rings, cells, window):
 _VISITED = 10
 
 
-@inlined
+@kernel
 def _flood(cells, start, low, new, stack):
     """Relabel the cells ``low`` and ``low + 1`` that hang together (over sides) with ``start``; count them.
 
@@ -230,7 +230,7 @@ def bin_shores(x, y, rings, columns, rows):
     return first, edges
 
 
-@inlined
+@kernel
 def _crossings(water, row, column, x0, y0, x1, y1, margin):
     """Number of shoreline edges in the square around a cell that a line meets.
 
@@ -260,7 +260,7 @@ def _crossings(water, row, column, x0, y0, x1, y1, margin):
     return count
 
 
-@inlined
+@kernel
 def wet(water, x, y):
     """Tell whether a point (in cells) is on the open water; in a cell with a shoreline, exactly."""
     cells = water[0]
@@ -274,7 +274,7 @@ def wet(water, x, y):
     return (value == SHORE_WATER) == (crossed % 2 == 0)
 
 
-@inlined
+@kernel
 def free_line(water, x0, y0, x1, y1):
     """Follow a straight line over the raster and tell whether it stays on the water.
 

@@ -165,7 +165,10 @@ def weather_info(settings: Settings, now: datetime | None = None) -> WeatherInfo
     from seacruise.weather.stormglass_client import check_key
 
     now = now or datetime.now(UTC)
-    size = settings.database.stat().st_size if settings.database.exists() else 0
+    try:
+        size = settings.database.stat().st_size
+    except OSError:
+        size = 0
     memory = Memory(settings.database)
     quota: Quota | None = None
     try:

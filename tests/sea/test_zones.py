@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 import pytest
 import shapely
-from hypothesis import given
+from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from seacruise.errors import InputError, NoPassageError
@@ -69,11 +69,14 @@ def test_a_way_is_closed_exactly_where_shapely_says_it_enters(
     angle = np.sort(rng.uniform(0, 2 * np.pi, 7))
     ring = np.stack([np.cos(angle), np.sin(angle)], axis=1) * rng.uniform(0.3, 1.5, 7)[:, None]
     area = shapely.Polygon(ring)
+    assume(area.is_valid)
     edges = np.hstack([ring, np.roll(ring, -1, axis=0)])
     box = np.array([[*ring.min(axis=0), *ring.max(axis=0)]])
     arrays = (np.array([0, 7]), edges, box, np.array([[-np.inf, np.inf]]))
     for x0, y0, x1, y1 in ways:
         way = shapely.LineString([(x0, y0), (x1, y1)])
+        if (x0, y0) == (x1, y1):
+            continue
         if way.distance(area.boundary) > 0.0 or way.crosses(area):
             deep = way.intersection(area).length
             if deep == 0.0 or deep > 1e-6:

@@ -143,6 +143,19 @@ def test_the_calendar_offers_what_a_source_covers(settings: Settings, tmp_path: 
     assert horizon([path], settings, NOW) == (today, today + timedelta(hours=12))
 
 
+def test_weather_info_of_a_closed_folder_says_why_nothing_is_kept(
+    settings: Settings, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def closed(*_: object, **__: object) -> None:
+        raise PermissionError(13, "Permission denied")
+
+    monkeypatch.setattr(Path, "stat", closed)
+    monkeypatch.setattr(Path, "mkdir", closed)
+    info = weather_info(settings, NOW)
+    assert info.database_bytes == 0
+    assert "Permission denied" in info.trouble
+
+
 def test_weather_info_tells_what_is_there(settings: Settings) -> None:
     before = weather_info(settings, NOW)
     assert before.quota is None
