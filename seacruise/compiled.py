@@ -10,12 +10,15 @@ import sys
 from collections.abc import Callable
 from typing import Any
 
+from seacruise.settings import Settings
+
 # numba looks for the BLAS of SciPy, which no kernel here calls and which takes a third of a second to load.
 _SCIPY_IS_LOADED = "scipy" in sys.modules
 if not _SCIPY_IS_LOADED:
     sys.modules["scipy"] = None  # type: ignore[assignment]
 try:
-    import numba.np.arraymath  # noqa: F401
+    import numba
+    import numba.np.arraymath
     from numba import njit
 finally:
     if not _SCIPY_IS_LOADED:
@@ -41,6 +44,12 @@ def _compile(function: Callable[..., Any], **more: str) -> Callable[..., Any]:
     try:
         compiled = njit(cache=True, **options)(function)
     except RuntimeError:
-        # Neither beside the program nor in the user's cache can anything be kept: compile every time.
-        compiled = njit(**options)(function)
+        # Neither the program's own folder nor the user's can be written; the sailor's may.
+        numba.config.CACHE_DIR = str(  # type: ignore[attr-defined]
+            Settings.from_environment().cache_dir / "kernels"
+        )
+        try:
+            compiled = njit(cache=True, **options)(function)
+        except (RuntimeError, OSError):
+            compiled = njit(**options)(function)
     return compiled

@@ -1,4 +1,4 @@
-"""Which ports she reaches and comes back from, and the latest departure that is in time.
+"""Which ports she reaches in the time there is, and comes back from.
 
 ``ReachRequest -> Sea -> Lattice -> Wind -> search, forwards and backwards -> Reach``
 """
@@ -6,16 +6,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field, replace
-from datetime import UTC, datetime, timedelta
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from datetime import UTC, datetime
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
 from seacruise.errors import InputError, NoPassageError
 from seacruise.geodesy import great_circle_m
-from seacruise.model import Options, Passage, PassageRequest, Place, check_options
+from seacruise.model import Options, Place, check_options
 from seacruise.passage import (
     NOBODY,
     SAME_PLACE_NM,
@@ -23,12 +23,10 @@ from seacruise.passage import (
     departure_of,
     how_of,
     place_of,
-    plan,
-    the_finder,
-    waters_of,
 )
 from seacruise.ports import Port
 from seacruise.progress import Job
+from seacruise.sea.zones import NO_ZONES, Zones
 from seacruise.settings import Settings
 from seacruise.units import METRES_PER_NM, SECONDS_PER_HOUR
 
@@ -38,26 +36,18 @@ if TYPE_CHECKING:
     from seacruise.weather.wind import Forecast, Wind
     from seacruise.yacht.polar import Polar
 
-__all__ = ["LONGEST_H", "SCHEMA", "PortReached", "Reach", "ReachRequest", "plan_arrival", "reach"]
+__all__ = ["LONGEST_H", "SCHEMA", "PortReached", "Reach", "ReachRequest", "reach"]
 
 SCHEMA: Final = "seacruise.reach/1"
 
 LONGEST_H: Final = 14 * 24.0
 """More time than this is not asked for [h]: no wind is known so far ahead."""
 
-WITHIN_S: Final = 300.0
-"""A later departure than the one found by this much is too late [s]."""
-
 FAR_NM: Final = 2.0
 """A port farther than this from its water is named [nm]."""
 
 _STEPS_H: Final = (0.25, 0.5, 1, 2, 3, 6, 12, 24, 48)
 _MOST_LINES: Final = 8
-_BY_TIME_LEFT: Final = 6
-"""Passages tried at the departure that the time left suggests; then the rest of the time is halved."""
-
-
-# --------------------------------------------------------------------------------------------- reach
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,6 +64,8 @@ class ReachRequest:
         Time in a port before sailing back [h].
     options
         How she is sailed; of how it is searched, ``directions`` and ``spacing_nm`` count.
+    zones
+        Areas to keep out of.
     """
 
     start: Port
@@ -83,6 +75,7 @@ class ReachRequest:
     departure: datetime | None = None
     stay_h: float = 0.0
     options: Options = field(default_factory=Options)
+    zones: Zones = NO_ZONES
 
 
 @dataclass(frozen=True, slots=True)
@@ -253,6 +246,7 @@ def _outing(request: ReachRequest, sea: Sea, start: Place, departure: datetime) 
         stay=request.stay_h * SECONDS_PER_HOUR,
         directions=options.directions,
         spacing_nm=options.spacing_nm,
+        zones=request.zones,
     )
 
 
@@ -317,6 +311,12 @@ def _notices(request: ReachRequest, start: Place, found: Sequence[PortReached]) 
             f"She sets out {start.snapped_nm:.1f} nm from {start.name}, at the nearest water of the chart "
             "that is connected with the open sea."
         )
+    if request.zones:
+        said.append(f"{len(request.zones.zones)} zones of your layers are kept clear of.")
+    if not found:
+        said.append(
+            "No port is reached: the time is too short, the wind too light, or stronger than is allowed."
+        )
     inland = [port.port.name for port in found if port.snapped_nm > FAR_NM]
     if inland:
         said.append(
@@ -331,131 +331,3 @@ def _notices(request: ReachRequest, start: Place, found: Sequence[PortReached]) 
             "forecast."
         )
     return tuple(said)
-
-
-# ------------------------------------------------------------------------------ arriving by a given time
-
-
-def plan_arrival(
-    request: PassageRequest, arrive_by: datetime, *, settings: Settings, job: Job = NOBODY
-) -> Passage:
-    """Find the passage that leaves as late as it can and still arrives by a time.
-
-    A reverse search on the lattice of the first passage gives the first guess. Passages are then planned in
-    full, and sailed again, until one arrives in time and the one that leaves `WITHIN_S` later does not.
-
-    Parameters
-    ----------
-    request
-        Its departure is the earliest that will do; ``None`` means the next full hour of the forecast.
-    arrive_by
-        Timezone-aware.
-
-    Raises
-    ------
-    NoPassageError
-        Reason ``outside-forecast`` when not even the earliest departure arrives in time; else as `plan`.
-    InputError, CancelledError
-        As `plan`.
-    """
-    if arrive_by.tzinfo is None:
-        raise InputError("The arrival needs a time zone; give it in UTC, for example 2016-11-22T18:00Z.")
-    deadline = arrive_by.astimezone(UTC)
-    earliest = departure_of(request.wind, request.departure)
-    late = (
-        f"She cannot be there by {deadline:%Y-%m-%d %H:%M} UTC: the earliest departure with a forecast is "
-        f"{earliest:%Y-%m-%d %H:%M} UTC"
-    )
-    if deadline <= earliest:
-        raise NoPassageError(f"{late}; choose a later arrival.", reason="outside-forecast")
-
-    def sail(departure: datetime) -> Passage:
-        return plan(replace(request, departure=departure), settings=settings, job=job)
-
-    best = sail(earliest)
-    if best.arrival > deadline:
-        raise NoPassageError(
-            f"{late}, and she arrives at {_minute_up(best.arrival):%Y-%m-%d %H:%M} UTC at the earliest; "
-            "choose a later arrival.",
-            reason="outside-forecast",
-        )
-    last = min(deadline, request.wind.forecast.valid_to)
-    trial = _guess(request, best, deadline, settings) or best.departure + (deadline - best.arrival)
-    return _latest(sail, best, deadline=deadline, last=last, trial=trial)
-
-
-def _guess(request: PassageRequest, best: Passage, deadline: datetime, settings: Settings) -> datetime | None:
-    """Latest departure on the lattice on which the first passage was found; ``None`` if there is none."""
-    from seacruise.routing.field import COARSE_SLICE_S, wind_field
-    from seacruise.routing.find import Ledger, Question
-    from seacruise.routing.reach import latest_departures
-
-    sea, (start, end) = waters_of(request, settings)
-    asked = Question(
-        sea,
-        request.wind,
-        request.yacht,
-        replace(how_of(request.options), refine=False),
-        (start.lat, start.lon),
-        (end.lat, end.lon),
-        best.departure.timestamp(),
-        request.zones,
-    )
-    found = the_finder().fastest(asked, job=NOBODY, ledger=Ledger())
-    winds = wind_field(request.wind, slice_s=COARSE_SLICE_S, since=asked.departure)
-    latest = latest_departures(
-        found.lattice, winds, found.speeds, deadline.timestamp(), earliest=asked.departure
-    ).departure[found.lattice.start]
-    return datetime.fromtimestamp(float(latest), UTC) if np.isfinite(latest) else None
-
-
-def _latest(
-    sail: Callable[[datetime], Passage],
-    best: Passage,
-    *,
-    deadline: datetime,
-    last: datetime,
-    trial: datetime,
-) -> Passage:
-    """Close in on the latest departure that is in time: by the time left or missing, then by halves.
-
-    Parameters
-    ----------
-    best
-        A passage that is in time.
-    last
-        The last departure that may be tried.
-    trial
-        The departure to try first.
-    """
-    within = timedelta(seconds=WITHIN_S)
-    too_late = last + within if last < deadline else deadline
-    tries = 0
-    while too_late - best.departure > within:
-        tries += 1
-        halfway = best.departure + (too_late - best.departure) / 2
-        trial = min(trial, last)
-        if tries > _BY_TIME_LEFT or not best.departure < trial < too_late:
-            trial = halfway
-        trial = min(max(trial, best.departure + within), too_late - timedelta(minutes=1), last)
-        trial = trial.replace(second=0, microsecond=0)
-        if trial <= best.departure:
-            break
-        try:
-            passage = sail(trial)
-        except NoPassageError:
-            # Leaving that late she is becalmed, or meets more wind than is allowed.
-            too_late, trial = trial, halfway
-            continue
-        if passage.arrival <= deadline:
-            best = passage
-            trial += max(within, deadline - passage.arrival)
-        else:
-            too_late = trial
-            trial -= max(within, passage.arrival - deadline)
-    return best
-
-
-def _minute_up(time: datetime) -> datetime:
-    """Round up to a full minute: she is not there before."""
-    return (time + timedelta(seconds=59)).replace(second=0, microsecond=0)

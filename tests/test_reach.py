@@ -19,7 +19,7 @@ from seacruise.export.reach_chart import reach_chart
 from seacruise.passage import Options, PassageRequest, plan
 from seacruise.ports import Port, find_port, load_ports
 from seacruise.progress import Job
-from seacruise.reach import PortReached, Reach, ReachRequest, plan_arrival, reach
+from seacruise.reach import PortReached, Reach, ReachRequest, reach
 from seacruise.resources import resource_path
 from seacruise.settings import Settings
 from seacruise.units import METRES_PER_NM, SECONDS_PER_HOUR
@@ -31,17 +31,6 @@ from tests.routing.worlds import cache_dir_of, drifter, steady_wind
 DEPARTURE = datetime(2016, 11, 20, 6, tzinfo=UTC)
 COMMAND = ["reach", "--from", "Gdynia", "--yacht", "Bavaria 46 Cruiser", "--forecast", "sample"]
 WHEN = ["--depart", "2016-11-20T06:00Z"]
-PLAN = [
-    "plan",
-    "--from",
-    "Visby",
-    "--to",
-    "Västervik",
-    "--yacht",
-    "Bavaria 46 Cruiser",
-    "--forecast",
-    "sample",
-]
 
 
 @cache
@@ -184,6 +173,8 @@ def test_becalmed_no_port_is_reached(sea_settings: Settings) -> None:
     assert reached.ports == ()
     assert reached.unreachable == len(load_ports()) - 1
     assert "0 ports in reach" in reach_to_text(reached, now=DEPARTURE)
+    assert "No port is reached" in reached.notices[-1]
+    assert reach_chart(reached).startswith(b"\x89PNG")
 
 
 def test_cancelled_it_goes_no_further(sea_settings: Settings) -> None:
@@ -268,6 +259,17 @@ def test_the_command_prints_and_writes(tmp_path: Path, capsys: pytest.CaptureFix
     assert json.loads(target.read_text(encoding="utf-8"))["type"] == "FeatureCollection"
 
 
+def test_a_file_is_kept_as_far_as_she_may_get(
+    shared_data: Path, capsys: pytest.CaptureFixture[str], half_a_day: Reach
+) -> None:
+    """The same wind as the sample, from its file; a passage between two ports would have cropped it."""
+    path = shared_data / "weather" / "baltic" / "gfs_1deg_baltic_20161120_48h_6hourly.nc"
+    words = [*COMMAND[:-1], str(path), *WHEN, "--hours", "12", "--format", "json"]
+    assert cli.main(words) == 0
+    found = {one["name"]: one["out_h"] for one in json.loads(capsys.readouterr().out)["ports"]}
+    assert found == pytest.approx({one.port.name: one.out_h for one in half_a_day.ports}, rel=1e-3)
+
+
 @pytest.mark.parametrize(
     ("words", "code"),
     [
@@ -284,62 +286,3 @@ def test_what_cannot_be_answered_is_one_sentence(
     err = capsys.readouterr().err
     assert len([line for line in err.splitlines() if line.startswith("seacruise: ")]) == 1
     assert "Traceback" not in err
-
-
-# -------------------------------------------------------------------------- arriving by a given time
-
-
-def arriving(
-    start: str = "Visby", end: str = "Västervik", departure: datetime | None = None
-) -> PassageRequest:
-    return PassageRequest(port(start), port(end), yacht(), sample_wind(), departure)
-
-
-@pytest.mark.parametrize("hours", [14, 27, 40])
-def test_the_latest_departure_arrives_in_time_and_a_later_one_does_not(
-    hours: int, sea_settings: Settings
-) -> None:
-    deadline = datetime(2016, 11, 20, tzinfo=UTC) + timedelta(hours=hours)
-    passage = plan_arrival(arriving(), deadline, settings=sea_settings)
-    assert passage.arrival <= deadline
-    assert passage.checks.land_free
-    later = replace(arriving(), departure=passage.departure + timedelta(minutes=6))
-    assert plan(later, settings=sea_settings).arrival > deadline
-
-
-def test_a_late_deadline_is_met_by_the_last_hour_of_the_forecast(sea_settings: Settings) -> None:
-    passage = plan_arrival(arriving(), datetime(2016, 11, 27, tzinfo=UTC), settings=sea_settings)
-    assert passage.departure == sample_wind().forecast.valid_to
-
-
-def test_too_early_an_arrival_names_the_earliest(sea_settings: Settings) -> None:
-    earliest = plan(replace(arriving(), departure=datetime(2016, 11, 20, tzinfo=UTC)), settings=sea_settings)
-    with pytest.raises(NoPassageError) as refused:
-        plan_arrival(arriving(), earliest.arrival - timedelta(hours=1), settings=sea_settings)
-    assert refused.value.reason == "outside-forecast"
-    rounded = earliest.arrival + timedelta(seconds=59)
-    assert f"{rounded:%Y-%m-%d %H:%M} UTC at the earliest" in str(refused.value)
-
-
-def test_arriving_before_the_forecast_begins(sea_settings: Settings) -> None:
-    with pytest.raises(NoPassageError) as refused:
-        plan_arrival(arriving(), datetime(2016, 11, 19, tzinfo=UTC), settings=sea_settings)
-    assert refused.value.reason == "outside-forecast"
-
-
-def test_an_arrival_needs_a_time_zone(sea_settings: Settings) -> None:
-    with pytest.raises(InputError):
-        plan_arrival(arriving(), datetime(2016, 11, 21), settings=sea_settings)  # noqa: DTZ001
-
-
-def test_plan_arrive_by(capsys: pytest.CaptureFixture[str]) -> None:
-    assert cli.main([*PLAN, "--arrive-by", "2016-11-21T06:00Z", "--format", "json"]) == 0
-    answer = json.loads(capsys.readouterr().out)
-    arrival = datetime.fromisoformat(answer["arrival"])
-    deadline = datetime(2016, 11, 21, 6, tzinfo=UTC)
-    assert deadline - timedelta(minutes=30) < arrival <= deadline
-
-
-def test_arrive_by_excludes_depart(capsys: pytest.CaptureFixture[str]) -> None:
-    assert cli.main([*PLAN, "--arrive-by", "2016-11-21T06:00Z", "--depart", "2016-11-20T06:00Z"]) == 2
-    assert "either --depart or --arrive-by" in capsys.readouterr().err

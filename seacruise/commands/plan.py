@@ -39,14 +39,7 @@ def add_parser(commands: argparse._SubParsersAction[argparse.ArgumentParser]) ->
     )
     ask.add_yacht(parser, required=True)
     ask.add_search_options(parser)
-    parser.add_argument(
-        "--avoid",
-        type=parse_path,
-        action="append",
-        default=[],
-        metavar="FILE.geojson",
-        help="zones to keep out of, for good or for a time; besides those in the layers folder",
-    )
+    ask.add_avoid(parser)
     files = parser.add_argument_group("files to write (an existing file of that name is replaced)")
     for name, (metavar, text) in EXPORTS.items():
         files.add_argument(f"--{name}", type=parse_path, metavar=metavar, help=text)
@@ -59,7 +52,6 @@ def run(arguments: argparse.Namespace) -> int:
     from seacruise.atomic import check_target
     from seacruise.errors import InputError
     from seacruise.passage import PassageRequest, plan
-    from seacruise.sea.zones import layer_files, load_zones
     from seacruise.settings import Settings
 
     if arguments.arrive_by and arguments.depart:
@@ -71,12 +63,12 @@ def run(arguments: argparse.Namespace) -> int:
     start, end = ask.find_ends(arguments)
     yacht = ask.find_yacht_named(arguments.yacht, settings)
     options = ask.options_from(arguments)
-    zones = load_zones([*layer_files(settings.layers), *arguments.avoid])
+    zones = ask.zones_from(arguments, settings)
     with cancellable_job() as job:
         wind = ask.fetch(arguments, start, end, settings=settings, job=job)
         asked = PassageRequest(start, end, yacht, wind, arguments.depart, options, zones)
         if arguments.arrive_by:
-            from seacruise.reach import plan_arrival
+            from seacruise.arrival import plan_arrival
 
             passage = plan_arrival(asked, arguments.arrive_by, settings=settings, job=job)
         else:

@@ -44,6 +44,7 @@ def add_parser(commands: argparse._SubParsersAction[argparse.ArgumentParser]) ->
     )
     ask.add_yacht(parser, required=True)
     ask.add_sail_options(parser)
+    ask.add_avoid(parser)
     files = parser.add_argument_group("files to write (an existing file of that name is replaced)")
     files.add_argument(
         "--geojson",
@@ -75,7 +76,14 @@ def run(arguments: argparse.Namespace) -> int:
     with cancellable_job() as job:
         wind = _fetch(arguments, start, yacht, options, settings=settings, job=job)
         asked = ReachRequest(
-            start, yacht, wind, arguments.hours, arguments.depart, stay_h=arguments.stay, options=options
+            start,
+            yacht,
+            wind,
+            arguments.hours,
+            arguments.depart,
+            stay_h=arguments.stay,
+            options=options,
+            zones=ask.zones_from(arguments, settings),
         )
         reached = reach(asked, ports=ports, settings=settings, job=job)
     if arguments.format == "json":

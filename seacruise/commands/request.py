@@ -5,12 +5,13 @@ from __future__ import annotations
 import argparse
 from typing import TYPE_CHECKING, Any
 
-from seacruise.commands.common import number_between, parse_time, say
+from seacruise.commands.common import number_between, parse_path, parse_time, say
 
 if TYPE_CHECKING:
     from seacruise.passage import Options
     from seacruise.ports import Port
     from seacruise.progress import Job
+    from seacruise.sea.zones import Zones
     from seacruise.settings import Settings
     from seacruise.weather.wind import Wind
     from seacruise.yacht.polar import Polar
@@ -147,6 +148,25 @@ def add_search_options(parser: argparse.ArgumentParser) -> None:
         default=None,
         help="the first search is the answer",
     )
+
+
+def add_avoid(parser: argparse.ArgumentParser) -> None:
+    """Let the sailor name zones to keep out of."""
+    parser.add_argument(
+        "--avoid",
+        type=parse_path,
+        action="append",
+        default=[],
+        metavar="FILE.geojson",
+        help="zones to keep out of, for good or for a time; besides those in the layers folder",
+    )
+
+
+def zones_from(arguments: argparse.Namespace, settings: Settings) -> Zones:
+    """Read the zones of the layers folder and those that were named."""
+    from seacruise.sea.zones import layer_files, load_zones
+
+    return load_zones([*layer_files(settings.layers), *arguments.avoid])
 
 
 def options_from(arguments: argparse.Namespace) -> Options:

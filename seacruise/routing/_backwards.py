@@ -10,6 +10,7 @@ import numpy as np
 
 from seacruise.compiled import kernel
 from seacruise.routing._kernels import STILL, _sift_down, _sift_up, boat_speed, sail_edge
+from seacruise.sea._prisms import closed
 
 MARGIN = 1e-3
 """Labels are this much [s] before the very last moment: rounding must not turn it into a missed calm."""
@@ -98,7 +99,7 @@ def edge_departure(t, a, b, points, piece, wind, speeds):
 
 
 @kernel
-def search_back(end, deadline, earliest, points, edges, piece, wind, speeds):
+def search_back(end, deadline, earliest, points, edges, piece, wind, speeds, zones):
     """Time-dependent Dijkstra on latest departures, from the end backwards, with an indexed 4-ary heap.
 
     Parameters
@@ -109,6 +110,8 @@ def search_back(end, deadline, earliest, points, edges, piece, wind, speeds):
         Departures before this [s] are of no use; the search ends there.
     edges
         ``(first, source)``: compressed sparse rows of the edges that lead INTO each vertex.
+    zones
+        Closed areas, see `seacruise.sea._prisms.closed`.
 
     Returns
     -------
@@ -130,6 +133,8 @@ def search_back(end, deadline, earliest, points, edges, piece, wind, speeds):
     place[end] = 0
     size = 1
     settled = 0
+    zoned = zones[0].size > 1
+    x, y = points[0], points[1]
     while size > 0:
         b = heap[0]
         size -= 1
@@ -150,6 +155,8 @@ def search_back(end, deadline, earliest, points, edges, piece, wind, speeds):
                 continue
             leave = confirmed(leave, t, a, b, points, piece, wind, speeds)
             if leave > departure[a]:
+                if zoned and closed(zones, x[a], y[a], leave, x[b], y[b], t):
+                    continue
                 if place[a] < 0:
                     heap[size] = a
                     place[a] = size

@@ -26,6 +26,8 @@ MOST_VERTICES: Final = 2_500_000
 MOST_EDGES: Final = 60_000_000
 """Finer lattices are refused: they would not fit in the memory of a small computer."""
 
+SHORE_LEVEL: Final = 3
+
 _JOINED: Final = 48
 _AT_ONCE: Final = 1_000_000
 
@@ -142,6 +144,7 @@ def build(
     offsets: NDArray[np.int64],
     area: Area,
     levels: Levels = NO_LEVELS,
+    shore_offsets: NDArray[np.int64] | None = None,
     enter_from: int | None = None,
     joined: tuple[tuple[float, float], ...] = (),
 ) -> Lattice:
@@ -153,6 +156,9 @@ def build(
         Side of the coarsest triangles [nm, true at the middle latitude].
     offsets
         Stencil, see `seacruise.routing.stencil`.
+    shore_offsets
+        Stencil of the levels from `SHORE_LEVEL` on; the same by default. Narrow water leaves little choice of
+        course, and what is left is relaxed later.
     enter_from
         R1's way: the start is the lattice's own first vertex, and only that many vertices nearest to the
         end lead into it. By default both ends are joined to every vertex near them that is in sight.
@@ -171,7 +177,8 @@ def build(
     grower = _Grower(sea, (sx, sy), (ex, ey), spacing)
     whole = grower.grow(None, 0, offsets, area)
     for level in range(1, levels.everywhere + 1):
-        whole = grower.grow(whole, level, offsets, area.at_level(level))
+        stencil_here = offsets if shore_offsets is None or level < SHORE_LEVEL else shore_offsets
+        whole = grower.grow(whole, level, stencil_here, area.at_level(level))
     for way in levels.ways:
         patch = whole
         for level in range(levels.everywhere + 1, levels.everywhere + levels.approaches + 1):

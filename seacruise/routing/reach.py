@@ -28,6 +28,7 @@ from seacruise.routing.lattice import Area, Lattice, chord_m
 from seacruise.routing.search import PIECE_M, Found, search
 from seacruise.sea import Sea
 from seacruise.sea.water import FARTHEST_WAY_NM
+from seacruise.sea.zones import NO_ZONES, Zones
 from seacruise.units import METRES_PER_NM, SECONDS_PER_HOUR
 
 Array = NDArray[np.float64]
@@ -76,17 +77,20 @@ def latest_departures(
     deadline: float,
     *,
     earliest: float = -np.inf,
+    zones: Zones = NO_ZONES,
 ) -> Latest:
     """Latest departure from each vertex that arrives at the lattice's end by a deadline.
 
     Leaving a vertex then, the forward search arrives in time; leaving a second later it does not. (Where
-    Handling.max_wind closes edges for a time, leaving earlier may be no way at all: the departure told is
-    then one that works along its own path, not the very latest.)
+    Handling.max_wind or a zone closes edges for a time, leaving earlier may be no way at all: the departure
+    told is then one that works along its own path, not the very latest.)
 
     Parameters
     ----------
     deadline, earliest
         Seconds since 1970; departures before ``earliest`` are not looked for.
+    zones
+        Closed areas.
     """
     from seacruise.routing import _backwards, _kernels
 
@@ -102,6 +106,7 @@ def latest_departures(
             PIECE_M,
             field.arrays,
             speeds.arrays,
+            zones.arrays,
         )
     )
 
@@ -118,6 +123,8 @@ class Outing:
         Seconds since 1970, seconds that there are in all, and seconds spent in a port.
     directions, spacing_nm
         Of the lattice; ``None`` for what suits the distance.
+    zones
+        Areas to keep out of.
     """
 
     sea: Sea
@@ -129,6 +136,7 @@ class Outing:
     stay: float = 0.0
     directions: int | None = None
     spacing_nm: float | None = None
+    zones: Zones = NO_ZONES
 
     @property
     def deadline(self) -> float:
@@ -225,9 +233,9 @@ def explore(asked: Outing, ports: Sequence[Position], job: Job) -> Explored:
     job.check()
     job.report("search", None, f"Searching {grid.vertices:,} vertices")
     field, speeds = asked.field, asked.speeds
-    out = search(grid, field, speeds, asked.departure, to_end=False, latest=asked.deadline)
+    out = search(grid, field, speeds, asked.departure, to_end=False, latest=asked.deadline, zones=asked.zones)
     job.check()
-    back = latest_departures(grid, field, speeds, asked.deadline, earliest=asked.departure)
+    back = latest_departures(grid, field, speeds, asked.deadline, earliest=asked.departure, zones=asked.zones)
     arrival, home, sailed = (np.full(len(ports), value) for value in (np.inf, np.nan, np.nan))
     leave_by = np.full(len(ports), -np.inf)
     for k, vertex in zip(promising, grid.joined, strict=True):
@@ -274,7 +282,8 @@ class _Homewards:
             # She is back in time, so no vertex on her way is left later than it may be.
             there = chord_m(grid.lat, grid.lon, grid.lat[vertex], grid.lon[vertex]) / fastest
             hopeless = departure + there > self.leave_by + 1.0
-        return float(search(grid, field, speeds, departure, hopeless=hopeless).arrival[grid.end])
+        found = search(grid, field, speeds, departure, hopeless=hopeless, zones=self.asked.zones)
+        return float(found.arrival[grid.end])
 
 
 def _promising(asked: Outing, ports: Sequence[Position]) -> tuple[list[int], float]:

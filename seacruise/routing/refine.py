@@ -31,9 +31,10 @@ PIECE_M: Final = 2 * METRES_PER_NM
 
 CORRIDOR_SPACING_NM: Final = 2.0
 CORRIDOR_COURSES: Final = 72
+SHORE_COURSES: Final = 24
 CORRIDOR_SIDES: Final = 6.0
 CORRIDOR_LEVELS: Final = 5
-"""The second lattice: spacing [nm], courses, half-width in spacings, and levels near the shore."""
+"""The second lattice: spacing [nm], courses, those of its finest levels, half-width in spacings, levels."""
 
 STEPS_NM: Final = (4.0, 2.0, 1.0, 0.5, 0.25, 0.1, 0.05)
 LEGS_NM: Final = (16.0, 12.0, 10.0, 10.0, 10.0, 10.0, 10.0)
@@ -161,6 +162,7 @@ def in_corridor(
         offsets=stencil.triangular(courses),
         area=area,
         levels=levels,
+        shore_offsets=stencil.triangular(min(courses, SHORE_COURSES)),
     )
     found = search(lattice, waters.field, waters.speeds, float(line.times[0]), zones=waters.zones)
     path = found.path(lattice.end)

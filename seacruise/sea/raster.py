@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 
 from seacruise.geodesy import EARTH_RADIUS, from_mercator, to_mercator
 from seacruise.sea import coast, globe
+from seacruise.sea.seal import is_whole, seal
 
 FINE_CELL_M: Final = 300.0
 """Cell of the fine raster [m of the Mercator plane]; 180 m true at 53 N, 122 m at 66 N."""
@@ -27,9 +28,10 @@ FINE_CELL_M: Final = 300.0
 COARSE_CELL_M: Final = EARTH_RADIUS * math.radians(1 / globe.CELLS_PER_DEGREE)
 """Cell where only the global mask is known [m of the Mercator plane]."""
 
-RASTER_VERSION: Final = 3
+RASTER_VERSION: Final = 4
 _SAMPLES: Final = 97
 _PARTS: Final = ("cells", "first", "shores")
+_FILES: Final = tuple(f"{part}.npy" for part in _PARTS)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -166,27 +168,16 @@ def load(south: float, west: float, north: float, east: float, *, cache_dir: Pat
     north, east = math.ceil(north), math.ceil(east)
     folder = cache_dir / f"water-v{RASTER_VERSION}_{south}_{west}_{north}_{east}"
     x0, y0, cell, shape = _frame(south, west, north, east)
-    try:
-        raster = WaterRaster(x0, y0, cell, *(np.load(folder / f"{n}.npy", mmap_mode="r") for n in _PARTS))
-    except (OSError, ValueError, EOFError):
-        raster = None
-    if raster is None or not _is_sound(raster, shape):
-        raster = build(south, west, north, east)
-        _save(folder, raster)
+    if is_whole(folder, _FILES):
+        try:
+            raster = WaterRaster(x0, y0, cell, *(np.load(folder / name, mmap_mode="r") for name in _FILES))
+        except (OSError, ValueError, EOFError):
+            raster = None
+        if raster is not None and raster.cells.shape == shape:
+            return raster
+    raster = build(south, west, north, east)
+    _save(folder, raster)
     return raster
-
-
-def _is_sound(raster: WaterRaster, shape: tuple[int, int]) -> bool:
-    """Tell whether arrays from a cache fit together: a file may be whole and still another's."""
-    cells, first, shores = raster.arrays
-    return (
-        cells.dtype == np.uint8
-        and cells.shape == shape
-        and first.dtype == np.int64
-        and first.shape == (math.prod(_squares(shape)) + 1,)
-        and shores.dtype == np.float32
-        and shores.shape == (int(first[-1]), 4)
-    )
 
 
 def _save(folder: Path, raster: WaterRaster) -> None:
@@ -196,10 +187,14 @@ def _save(folder: Path, raster: WaterRaster) -> None:
         with tempfile.TemporaryDirectory(dir=folder.parent, prefix="water-") as name:
             whole = Path(name) / "whole"
             whole.mkdir()
-            for part in _PARTS:
-                np.save(whole / f"{part}.npy", getattr(raster, part))
+            for part, file in zip(_PARTS, _FILES, strict=True):
+                np.save(whole / file, getattr(raster, part))
+            seal(whole, _FILES)
             if folder.exists():
                 shutil.rmtree(folder)
             whole.rename(folder)
+        for old in folder.parent.glob("water-v*"):
+            if not old.name.startswith(f"water-v{RASTER_VERSION}_"):
+                shutil.rmtree(old, ignore_errors=True)
     except OSError:
         return

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -75,7 +76,7 @@ def test_a_missing_file_is_made_again(tmp_path: Path, good: WaterRaster) -> None
     raster.load(*BOUNDS, cache_dir=tmp_path)
     next(tmp_path.rglob("shores.npy")).unlink()
     assert_same(raster.load(*BOUNDS, cache_dir=tmp_path), good)
-    assert len(files_in(tmp_path)) == 3
+    assert len(files_in(tmp_path)) == 4  # three parts and their seal
 
 
 def test_a_cache_that_cannot_be_written_stops_nobody(tmp_path: Path, good: WaterRaster) -> None:
@@ -111,7 +112,7 @@ def test_two_processes_at_once_agree(tmp_path: Path, good: WaterRaster) -> None:
     assert [p.returncode for p in both] == [0, 0], answers
     assert answers[0][0] == answers[1][0]
     assert_same(raster.load(*BOUNDS, cache_dir=tmp_path), good)
-    assert len(files_in(tmp_path)) == 3
+    assert len(files_in(tmp_path)) == 4  # three parts and their seal
 
 
 def test_all_passages_of_the_baltic_share_one_raster(
@@ -122,3 +123,28 @@ def test_all_passages_of_the_baltic_share_one_raster(
         (54.3, 59.3), (10.2, 18.1), margin_deg=3.0, cache_dir=cache_dir_of(tmp_path_factory.getbasetemp())
     )
     assert other.water is baltic.water
+
+
+@pytest.mark.parametrize("part", ["cells", "first", "shores"])
+def test_a_flipped_bit_is_found(part: str, tmp_path: Path, good: WaterRaster) -> None:
+    raster.load(*BOUNDS, cache_dir=tmp_path)
+    (path,) = tmp_path.rglob(f"{part}.npy")
+    data = bytearray(path.read_bytes())
+    data[len(data) * 3 // 4] ^= 0x10
+    path.write_bytes(data)
+    assert_same(raster.load(*BOUNDS, cache_dir=tmp_path), good)
+
+
+def test_a_copied_cache_is_used(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    raster.load(*BOUNDS, cache_dir=tmp_path / "one")
+    shutil.copytree(tmp_path / "one", tmp_path / "two", copy_function=shutil.copyfile)
+    monkeypatch.setattr(raster, "build", lambda *bounds: pytest.fail("was drawn again"))
+    assert raster.load(*BOUNDS, cache_dir=tmp_path / "two").cells.size
+
+
+def test_rasters_of_older_versions_are_cleared_away(tmp_path: Path) -> None:
+    old = tmp_path / "water-v1_53_9_66_31"
+    old.mkdir()
+    (old / "cells.npy").write_bytes(b"old")
+    raster.load(*BOUNDS, cache_dir=tmp_path)
+    assert not old.exists()
