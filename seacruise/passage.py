@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from seacruise.between import sea_between
 from seacruise.errors import InputError, NoPassageError
 from seacruise.geodesy import angle_between_deg, format_position, great_circle_m
 from seacruise.model import (
@@ -69,16 +70,6 @@ NOBODY = Job()
 """A job that nobody watches or cancels."""
 
 _finder: Finder | None = None
-
-
-def sea_between(start: Port, end: Port, settings: Settings) -> Sea:
-    """Read the sea around two ports, wide enough for any passage between them."""
-    from seacruise.sea import Sea
-
-    away = float(great_circle_m(start.lat, start.lon, end.lat, end.lon)) / METRES_PER_NM / 60
-    return Sea.around(
-        (start.lat, end.lat), (start.lon, end.lon), margin_deg=1.0 + away / 2, cache_dir=settings.cache_dir
-    )
 
 
 def plan(request: PassageRequest, *, settings: Settings, job: Job = NOBODY) -> Passage:

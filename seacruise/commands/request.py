@@ -197,23 +197,8 @@ def find_ends(arguments: argparse.Namespace) -> tuple[Port, Port]:
 
 
 def fetch(arguments: argparse.Namespace, start: Port, end: Port, *, settings: Settings, job: Job) -> Wind:
-    """Get the wind for a passage from the sources that were named.
+    """Get the wind for a passage from the sources that were named."""
+    from seacruise.between import fetch_wind_between
 
-    The sea is only asked for when a weather service has to know which of its points are worth a request.
-    """
-    from seacruise.weather.source import fetch_wind
-
-    def is_water(lat: Any, lon: Any) -> Any:
-        from seacruise.passage import sea_between
-
-        return sea_between(start, end, settings).is_water(lat, lon)
-
-    return fetch_wind(
-        arguments.forecast or ["auto"],
-        start=(start.lat, start.lon),
-        end=(end.lat, end.lon),
-        departure=arguments.depart,
-        settings=settings,
-        job=job,
-        is_water=is_water,
-    )
+    names = arguments.forecast or ["auto"]
+    return fetch_wind_between(names, start, end, arguments.depart, settings=settings, job=job)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from datetime import datetime
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Protocol
 
 from seacruise.errors import InputError
 from seacruise.ports import Port
@@ -60,20 +60,10 @@ def refuse_same_port(start: Port, end: Port) -> None:
 
 def fetch_wind(question: Question, settings: Settings, job: Job) -> Wind:
     """Wind for a question from wherever its forecast says."""
-    from seacruise.passage import sea_between
-    from seacruise.weather.source import fetch_wind as fetch
+    from seacruise.between import fetch_wind_between
 
-    def is_water(lat: Any, lon: Any) -> Any:
-        return sea_between(question.start, question.end, settings).is_water(lat, lon)
-
-    return fetch(
-        question.forecast,
-        start=(question.start.lat, question.start.lon),
-        end=(question.end.lat, question.end.lon),
-        departure=question.departure,
-        settings=settings,
-        job=job,
-        is_water=is_water,
+    return fetch_wind_between(
+        question.forecast, question.start, question.end, question.departure, settings=settings, job=job
     )
 
 

@@ -168,16 +168,22 @@ def load(south: float, west: float, north: float, east: float, *, cache_dir: Pat
     north, east = math.ceil(north), math.ceil(east)
     folder = cache_dir / f"water-v{RASTER_VERSION}_{south}_{west}_{north}_{east}"
     x0, y0, cell, shape = _frame(south, west, north, east)
-    if is_whole(folder, _FILES):
+
+    def mapped() -> WaterRaster | None:
+        if not is_whole(folder, _FILES):
+            return None
         try:
             raster = WaterRaster(x0, y0, cell, *(np.load(folder / name, mmap_mode="r") for name in _FILES))
         except (OSError, ValueError, EOFError):
-            raster = None
-        if raster is not None and raster.cells.shape == shape:
-            return raster
-    raster = build(south, west, north, east)
-    _save(folder, raster)
-    return raster
+            return None
+        return raster if raster.cells.shape == shape else None
+
+    if (known := mapped()) is not None:
+        return known
+    built = build(south, west, north, east)
+    _save(folder, built)
+    # Mapped again, what was built need not stay in memory; where nothing could be saved, it must.
+    return mapped() or built
 
 
 def _save(folder: Path, raster: WaterRaster) -> None:
