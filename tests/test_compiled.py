@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import numba
@@ -26,5 +27,22 @@ def test_kernels_work_where_nothing_can_be_kept(monkeypatch: pytest.MonkeyPatch)
 
     real = numba.njit
     monkeypatch.setattr(compiled, "njit", njit)
+    monkeypatch.setattr(numba.config, "CACHE_DIR", "")
     assert compiled.kernel(double)(1.5) == 3.0
-    assert asked == [True, False]
+    assert asked == [True, True, False]
+
+
+def test_where_only_the_sailors_folder_can_be_written_kernels_are_kept_there(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    def njit(*, cache: bool = False, **options: Any) -> Any:
+        if cache and not numba.config.CACHE_DIR:  # type: ignore[attr-defined]
+            raise RuntimeError("cannot cache function: no locator available")
+        return real(cache=cache, **options)
+
+    real = numba.njit
+    monkeypatch.setattr(compiled, "njit", njit)
+    monkeypatch.setattr(numba.config, "CACHE_DIR", "")
+    monkeypatch.setenv("SEACRUISE_HOME", str(tmp_path))
+    assert compiled.kernel(double)(1.5) == 3.0
+    assert list((tmp_path / "cache" / "kernels").rglob("*.nbi"))
