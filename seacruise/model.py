@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 SCHEMA = "seacruise.passage/1"
 
 Preset = Literal["precise", "classic"]
+Tack = Literal["port", "starboard", "both"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -137,7 +138,8 @@ class Waypoint:
     twa_deg
         True wind angle at the begin of the leg, folded to 0-180; ``tack`` names the side.
     tack
-        ``"port"`` or ``"starboard"``: the side the wind comes from; ``None`` under engine.
+        ``"port"`` or ``"starboard"``: the side the wind comes from; ``"both"`` on a beat or run in water too
+        narrow to plan the boards, of which the course made good is told; ``None`` under engine.
     """
 
     lat: float
@@ -150,7 +152,7 @@ class Waypoint:
     twd_deg: float | None = None
     twa_deg: float | None = None
     motor: bool | None = None
-    tack: Literal["port", "starboard"] | None = None
+    tack: Tack | None = None
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -25,6 +25,7 @@ from seacruise.model import (
     Place,
     Preset,
     SearchReport,
+    Tack,
     Track,
     Waypoint,
     check_options,
@@ -262,6 +263,7 @@ def _sail_again(asked: Question, line: Line, fuel_rate_l_h: float) -> tuple[Cour
         tacked = replace(asked, how=replace(asked.how, handling=replace(handling, tacking=True)))
         course = replace(course, short_tacked=np.ones_like(course.short_tacked))
         sailed = resail(tacked, course, fuel_rate_l_h=fuel_rate_l_h)
+        course = replace(course, short_tacked=sailed.mixed(asked.polar))
     if not sailed.arrived:
         raise NoPassageError(
             "The passage that was found cannot be sailed to its end: the yacht is becalmed under way. Leave "
@@ -312,7 +314,7 @@ class _Answer:
             arrival=self.departure + timedelta(seconds=self.seconds),
             distance_nm=float(legs.sum()),
             direct_distance_nm=float(great_circle_m(start.lat, start.lon, end.lat, end.lon)) / METRES_PER_NM,
-            waypoints=_waypoints(sailed, legs),
+            waypoints=_waypoints(sailed, self.course.short_tacked, legs),
             tacks=tacks,
             gybes=gybes,
             course_changes=legs.size - 1,
@@ -381,7 +383,9 @@ class _Answer:
         return tuple(said)
 
 
-def _waypoints(sailed: Resailed, legs: NDArray[np.float64]) -> tuple[Waypoint, ...]:
+def _waypoints(
+    sailed: Resailed, short_tacked: NDArray[np.bool_], legs: NDArray[np.float64]
+) -> tuple[Waypoint, ...]:
     points = []
     for k, a in enumerate(sailed.at.tolist()):
         lat, lon = float(sailed.lat[a]), float(sailed.lon[a])
@@ -406,10 +410,16 @@ def _waypoints(sailed: Resailed, legs: NDArray[np.float64]) -> tuple[Waypoint, .
                 twd_deg=twd,
                 twa_deg=abs(twa),
                 motor=motor,
-                tack=None if motor else "starboard" if twa >= 0 else "port",
+                tack=None if motor else _tack(twa, both=bool(short_tacked[k])),
             )
         )
     return tuple(points)
+
+
+def _tack(twa: float, *, both: bool) -> Tack:
+    if both:
+        return "both"
+    return "starboard" if twa >= 0 else "port"
 
 
 def _track(sailed: Resailed) -> Track:

@@ -204,7 +204,9 @@ def test_legs_are_consistent(start: str, end: str, preset: str, planned: Plan) -
         assert (given(here.twd_deg) - twd + 180.0) % 360.0 - 180.0 == pytest.approx(0.0, abs=1e-6)
         twa = (twd - given(here.course_deg) + 180.0) % 360.0 - 180.0
         assert given(here.twa_deg) == pytest.approx(abs(twa), abs=1e-6)
-        assert here.tack == ("starboard" if twa >= 0 else "port")
+        # Where there is no room to plan the boards, the course made good lies between the tacks.
+        side = "starboard" if twa >= 0 else "port"
+        assert here.tack == side or (here.tack == "both" and (abs(twa) < 50.0 or abs(twa) > 140.0))
         assert here.motor is False
         total_nm += length
     last = passage.waypoints[-1]

@@ -60,7 +60,7 @@ def _how(waypoint: Waypoint) -> str:
         return tr("arrival")
     if waypoint.motor:
         return tr("engine")
-    return {"port": tr("port"), "starboard": tr("starboard"), None: ""}[waypoint.tack]
+    return {"port": tr("port"), "starboard": tr("starboard"), "both": tr("both"), None: ""}[waypoint.tack]
 
 
 def columns() -> tuple[Column, ...]:

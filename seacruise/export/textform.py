@@ -12,7 +12,7 @@ from seacruise.weather.wind import Forecast
 NOTICE = "A planning aid, not for navigation."
 """Stands in every file that leaves the program."""
 
-_SIDE = {"port": "port", "starboard": "stbd", None: ""}
+_SIDE = {"port": "port", "starboard": "stbd", "both": "both", None: ""}
 
 
 def title(passage: Passage) -> str:

@@ -247,8 +247,11 @@ class _Grower:
             flat = float(scale(from_mercator(0.0, np.abs(ends[:, 1]).max())[0])) * 0.95
             length, total = float(np.hypot(*(ends[-1] - ends[0]))), area.reach_m / flat
             reach = max((total - length) / 2, math.sqrt(max(0.0, total**2 - length**2)) / 2)
-        low = (ends.min(axis=0) - reach - self.start) / side
-        high = (ends.max(axis=0) + reach - self.start) / side
+        water = self.sea.water
+        corner = np.array([water.x0, water.y0])
+        extent = np.array(water.cells.shape[::-1]) * water.cell
+        low = (np.maximum(ends.min(axis=0) - reach, corner) - self.start) / side
+        high = (np.minimum(ends.max(axis=0) + reach, corner + extent) - self.start) / side
         j0, j1 = math.floor(low[1] / stencil.ROW_HEIGHT), math.ceil(high[1] / stencil.ROW_HEIGHT)
         i0, i1 = math.floor(low[0] - j1 / 2), math.ceil(high[0] - j0 / 2)
         if (j1 - j0 + 1) * (i1 - i0 + 1) > 6 * MOST_VERTICES:

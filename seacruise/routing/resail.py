@@ -14,11 +14,12 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from seacruise.geodesy import from_mercator, rhumb_course_deg, rhumb_distance_m
-from seacruise.routing.manoeuvres import Course
+from seacruise.geodesy import angle_between_deg, from_mercator, rhumb_course_deg, rhumb_distance_m
+from seacruise.routing.manoeuvres import GAIN, Course
 from seacruise.sea import Sea
 from seacruise.units import METRES_PER_NM, SECONDS_PER_HOUR
 from seacruise.yacht.hull import hull_speed
+from seacruise.yacht.polar import Polar
 
 if TYPE_CHECKING:
     from seacruise.routing.find import Question
@@ -67,6 +68,14 @@ class Resailed:
     within_limits: bool
     fuel_l: float
     motor_s: float
+
+    def mixed(self, polar: Polar) -> NDArray[np.bool_]:
+        """Tell of each leg whether the hull of the polar is faster on it than the polar anywhere."""
+        twa = angle_between_deg(self.twd_deg, self.course_deg)
+        hull = np.array([hull_speed(polar, s, a)[0, 0] for s, a in zip(self.tws, twa, strict=True)])
+        tacked = hull > polar.speed(self.tws, twa) * GAIN
+        legs = int(self.leg.max(initial=0)) + 1
+        return np.bincount(self.leg[:-1], weights=tacked[:-1], minlength=legs) > 0
 
 
 def resail(asked: Question, course: Course, *, fuel_rate_l_h: float) -> Resailed:
