@@ -17,7 +17,9 @@ REPOSITORY = Path(__file__).resolve().parent.parent
 
 FORBIDDEN = {
     "an absolute path of a developer's machine": re.compile(r"(?<![\w.~-])/(?:work|opt|root|home/\w+)/\w"),
-    "an address of a package index": re.compile(r"--(?:extra-)?index-url|--find-links|pypi\.org/simple"),
+    "an address of a package index": re.compile(
+        r"--(?:extra-)?index-url|--find-links|https?://[^\s/]+/simple\b"
+    ),
     "a note to self": re.compile(r"#\s*(?:TODO|FIXME|XXX)\b"),
 }
 TEXT = {".py", ".md", ".toml", ".txt", ".csv", ".yml", ".yaml", ".cfg", ".sh", ""}

@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 
 from seacruise.compiled import kernel
-from seacruise.routing._kernels import STILL, _sift_down, _sift_up, boat_speed, sail_edge
+from seacruise.routing._kernels import STILL, _sift_down, _sift_up, cell_at, sail_edge, speed_in
 from seacruise.sea._prisms import closed
 
 MARGIN = 1e-3
@@ -22,8 +22,7 @@ TRIES = 12
 @kernel
 def sail_line_back(t, lat0, lon0, lat1, lon1, length, east, north, piece, wind, speeds):
     """Latest departure [s] on a straight leg that arrives at its end by ``t``; -inf if there is none."""
-    u, v, t0, step, south, per_lat, west, per_lon = wind
-    slices, rows, columns = u.shape
+    slices, t0, step = wind[0].shape[0], wind[2], wind[3]
     pieces = int(length / piece) + 1
     # The slice that ends at or after t: what is sailed backwards is sailed before t.
     k = min(max(int((t - t0) / step), 0), slices - 1)
@@ -33,16 +32,10 @@ def sail_line_back(t, lat0, lon0, lat1, lon1, length, east, north, piece, wind, 
         k -= 1
     for p in range(pieces - 1, -1, -1):
         f = (p + 0.5) / pieces
-        y = min(max((lat0 + (lat1 - lat0) * f - south) * per_lat, 0.0), rows - 1.0)
-        x = min(max((lon0 + (lon1 - lon0) * f - west) * per_lon, 0.0), columns - 1.0)
-        r, c = min(int(y), rows - 2), min(int(x), columns - 2)
-        fy, fx = y - r, x - c
-        w00, w01, w10, w11 = (1 - fy) * (1 - fx), (1 - fy) * fx, fy * (1 - fx), fy * fx
+        cell = cell_at(lat0 + (lat1 - lat0) * f, lon0 + (lon1 - lon0) * f, wind)
         rest = length / pieces
         while True:
-            uu = u[k, r, c] * w00 + u[k, r, c + 1] * w01 + u[k, r + 1, c] * w10 + u[k, r + 1, c + 1] * w11
-            vv = v[k, r, c] * w00 + v[k, r, c + 1] * w01 + v[k, r + 1, c] * w10 + v[k, r + 1, c + 1] * w11
-            speed = boat_speed(uu, vv, east, north, speeds)
+            speed = speed_in(k, cell, east, north, wind, speeds)
             if speed < 0.0:
                 return -np.inf
             if k == slices - 1 and speed <= STILL:

@@ -38,6 +38,27 @@ def boat_speed(u, v, east, north, speeds):
 
 
 @inlined
+def cell_at(lat, lon, wind):
+    """Cell of the wind's grid around a position: row, column and the weights of its four corners."""
+    _, rows, columns = wind[0].shape
+    y = min(max((lat - wind[4]) * wind[5], 0.0), rows - 1.0)
+    x = min(max((lon - wind[6]) * wind[7], 0.0), columns - 1.0)
+    r, c = min(int(y), rows - 2), min(int(x), columns - 2)
+    fy, fx = y - r, x - c
+    return r, c, (1 - fy) * (1 - fx), (1 - fy) * fx, fy * (1 - fx), fy * fx
+
+
+@inlined
+def speed_in(k, cell, east, north, wind, speeds):
+    """Speed [m/s] on a course in the wind of slice ``k`` at a place, see `cell_at`."""
+    u, v = wind[0], wind[1]
+    r, c, w00, w01, w10, w11 = cell
+    uu = u[k, r, c] * w00 + u[k, r, c + 1] * w01 + u[k, r + 1, c] * w10 + u[k, r + 1, c + 1] * w11
+    vv = v[k, r, c] * w00 + v[k, r, c + 1] * w01 + v[k, r + 1, c] * w10 + v[k, r + 1, c + 1] * w11
+    return boat_speed(uu, vv, east, north, speeds)
+
+
+@inlined
 def sail_line(t, lat0, lon0, lat1, lon1, length, east, north, piece, wind, speeds):
     """Arrival [s] at the end of a straight leg of ``length`` metres left at time ``t``; inf if never.
 
@@ -45,24 +66,17 @@ def sail_line(t, lat0, lon0, lat1, lon1, length, east, north, piece, wind, speed
     of time that the piece takes. Speed then depends on time alone, so sailing a piece is solved exactly,
     and who leaves later can never arrive earlier (FIFO), through calms and squalls alike.
     """
-    u, v, t0, step, south, per_lat, west, per_lon = wind
-    slices, rows, columns = u.shape
+    slices, t0, step = wind[0].shape[0], wind[2], wind[3]
     pieces = int(length / piece) + 1
     k = min(max(int((t - t0) / step), 0), slices - 1)
     while k < slices - 1 and t0 + (k + 1) * step <= t:
         k += 1
     for p in range(pieces):
         f = (p + 0.5) / pieces
-        y = min(max((lat0 + (lat1 - lat0) * f - south) * per_lat, 0.0), rows - 1.0)
-        x = min(max((lon0 + (lon1 - lon0) * f - west) * per_lon, 0.0), columns - 1.0)
-        r, c = min(int(y), rows - 2), min(int(x), columns - 2)
-        fy, fx = y - r, x - c
-        w00, w01, w10, w11 = (1 - fy) * (1 - fx), (1 - fy) * fx, fy * (1 - fx), fy * fx
+        cell = cell_at(lat0 + (lat1 - lat0) * f, lon0 + (lon1 - lon0) * f, wind)
         rest = length / pieces
         while True:
-            uu = u[k, r, c] * w00 + u[k, r, c + 1] * w01 + u[k, r + 1, c] * w10 + u[k, r + 1, c + 1] * w11
-            vv = v[k, r, c] * w00 + v[k, r, c + 1] * w01 + v[k, r + 1, c] * w10 + v[k, r + 1, c + 1] * w11
-            speed = boat_speed(uu, vv, east, north, speeds)
+            speed = speed_in(k, cell, east, north, wind, speeds)
             if speed < 0.0:
                 return np.inf
             if k == slices - 1:

@@ -153,14 +153,14 @@ def test_esc_closes_the_offer_of_ports_when_nothing_runs(window: MainWindow, qtb
 
 
 def test_the_window_is_never_held_up(window: MainWindow, planner: HeldPlanner, qtbot: QtBot) -> None:
-    """A heart that beats every 5 ms goes on beating, whatever is computed and drawn.
+    """A heart that beats every 5 ms must not miss ten beats on end, whatever is computed and drawn.
 
-    The limit is what no computing on this thread would keep; the 50 ms that we promise are measured by
-    ``make bench``, on a machine that does nothing else.
+    A gap counts by the clock or by this process's own time on the processors, whichever is less: while
+    other programs have the machine, nobody here holds the window up.
     """
-    beats: list[float] = []
+    beats: list[tuple[float, float]] = []
     heart = QTimer()
-    heart.timeout.connect(lambda: beats.append(time.perf_counter()))
+    heart.timeout.connect(lambda: beats.append((time.perf_counter(), time.process_time())))
     qtbot.waitUntil(lambda: window.chart.view.is_settled, timeout=30_000)
     # Other programs of a busy machine may hold a beat up as well: the smallest of three counts.
     worst = []
@@ -181,8 +181,8 @@ def test_the_window_is_never_held_up(window: MainWindow, planner: HeldPlanner, q
             window.chart.time_bar.slider.setValue(minutes)
             qtbot.wait(5)
         heart.stop()
-        worst.append(max(b - a for a, b in pairwise(beats)))
-    assert min(worst) < 0.250, f"blocked for {[f'{1000 * w:.0f} ms' for w in worst]}"
+        worst.append(max(min(b[0] - a[0], b[1] - a[1]) for a, b in pairwise(beats)))
+    assert min(worst) < 0.050, f"blocked for {[f'{1000 * w:.0f} ms' for w in worst]}"
 
 
 # --- trouble -------------------------------------------------------------------------------------------

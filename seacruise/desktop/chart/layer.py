@@ -54,6 +54,7 @@ class Layer(QGraphicsItem):
 
     def draw(self, painter: QPainter, to_pixels: QTransform, view: QRectF) -> None:
         """Draw on a viewport of ``view`` pixels; ``to_pixels`` maps the plane to it."""
+        # Qt's metaclass leaves no room for ABC's: a layer that forgets to draw must fail at its first frame.
         raise NotImplementedError
 
 
