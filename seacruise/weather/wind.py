@@ -6,10 +6,10 @@ Directions are where the wind comes FROM, in degrees true, as every sailor and e
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from datetime import UTC, datetime
-from typing import Any, Final
+from typing import Any, ClassVar, Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -55,8 +55,8 @@ class Forecast:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Wind:
-    """Wind at 10 m on a regular grid.
+class Flow:
+    """Moving air or water on a regular grid.
 
     Attributes
     ----------
@@ -64,9 +64,9 @@ class Wind:
         ``(t,)`` seconds since 1970-01-01T00:00Z, strictly increasing, any steps.
     lat, lon
         ``(y,)`` and ``(x,)`` degrees, increasing and evenly spaced to a thousandth of a step. A single
-        value means that the wind does not change along that axis.
+        value means that the flow does not change along that axis.
     u, v
-        ``(t, y, x)`` float32, eastward and northward component of the air's motion [m/s], finite.
+        ``(t, y, x)`` float32, eastward and northward component of the motion [m/s], finite.
 
     Raises
     ------
@@ -81,16 +81,20 @@ class Wind:
     v: NDArray[np.float32]
     forecast: Forecast
 
+    _WHAT: ClassVar[str] = "flow"
+    _MAX_SPEED: ClassVar[float] = MAX_SPEED
+
     def __post_init__(self) -> None:
         for name in ("time", "lat", "lon"):
             object.__setattr__(self, name, np.ascontiguousarray(getattr(self, name), dtype=np.float64))
         for name in ("u", "v"):
             object.__setattr__(self, name, np.ascontiguousarray(getattr(self, name), dtype=np.float32))
         self._check_axes()
-        self._check_components()
+        for name in ("u", "v"):
+            self._check_values(getattr(self, name), -self._MAX_SPEED, self._MAX_SPEED, "m/s")
 
     def _refuse(self, what: str) -> WeatherError:
-        return WeatherError(f"The wind from {self.forecast.source} cannot be used: {what}.")
+        return WeatherError(f"The {self._WHAT} from {self.forecast.source} cannot be used: {what}.")
 
     def _check_axes(self) -> None:
         for name, axis in (("times", self.time), ("latitudes", self.lat), ("longitudes", self.lon)):
@@ -106,22 +110,21 @@ class Wind:
         if self.lat[0] < -90.001 or self.lat[-1] > 90.001:
             raise self._refuse("it has latitudes beyond the poles")
 
-    def _check_components(self) -> None:
+    def _check_values(self, values: NDArray[np.float32], low: float, high: float, unit: str) -> None:
         shape = (self.time.size, self.lat.size, self.lon.size)
-        for component in (self.u, self.v):
-            if component.shape != shape:
-                raise self._refuse(f"its grid is {component.shape}, its axes say {shape}")
-            # min and max carry a NaN along, so one pass each is the whole test
-            low, high = float(component.min()), float(component.max())
-            if not (low >= -MAX_SPEED and high <= MAX_SPEED):
-                raise self._refuse(f"it has values that are missing or above {MAX_SPEED:.0f} m/s")
+        if values.shape != shape:
+            raise self._refuse(f"its grid is {values.shape}, its axes say {shape}")
+        # min and max carry a NaN along, so one pass each is the whole test
+        least, most = float(values.min()), float(values.max())
+        if not (least >= low and most <= high):
+            raise self._refuse(f"it has values that are missing or above {high:.0f} {unit}")
 
     def at(self, time: ArrayLike, lat: ArrayLike, lon: ArrayLike) -> tuple[Array, Array]:
-        """Wind at places and times: ``u, v`` [m/s], of the arguments' broadcast shape.
+        """Flow at places and times: ``u, v`` [m/s], of the arguments' broadcast shape.
 
         Linear in time, bilinear in space, both of the components, so that no direction jumps through
         north. Before the first and after the last time the nearest one is held (R1), beyond the edge
-        of the grid the edge's wind is taken; `covers` tells the latter.
+        of the grid the edge's flow is taken; `covers` tells the latter.
 
         Parameters
         ----------
@@ -130,6 +133,12 @@ class Wind:
         lat, lon
             Degrees.
         """
+        u, v = self._interpolated((self.u, self.v), time, lat, lon)
+        return u, v
+
+    def _interpolated(
+        self, grids: Sequence[NDArray[np.float32]], time: ArrayLike, lat: ArrayLike, lon: ArrayLike
+    ) -> list[Array]:
         t, wt = _bracket(time, self.time)
         y, wy = _bracket(lat, self.lat)
         x, wx = _bracket(lon, self.lon)
@@ -142,7 +151,7 @@ class Wind:
             after = _bilinear(grid, t1, (y, y1, wy), (x, x1, wx))
             return np.asarray(before * (1.0 - wt) + after * wt)
 
-        return interpolate(self.u), interpolate(self.v)
+        return [interpolate(grid) for grid in grids]
 
     def covers(self, lat: ArrayLike, lon: ArrayLike) -> NDArray[np.bool_]:
         """Tell which positions [degrees] lie on the grid, its edge included; of the broadcast shape."""
@@ -151,6 +160,60 @@ class Wind:
     def describe_area(self) -> str:
         """Name the covered area for a sentence: ``52.0 to 67.0 N, 7.0 to 32.0 E``."""
         return describe_area(self.lat, self.lon)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Current(Flow):
+    """Current of the sea at its surface; ``u`` and ``v`` are where the water goes to [m/s]."""
+
+    _WHAT: ClassVar[str] = "current"
+    _MAX_SPEED: ClassVar[float] = 15.0
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Wind(Flow):
+    """Wind at 10 m on a regular grid, and what the forecast knows besides.
+
+    Attributes
+    ----------
+    gust
+        ``(t, y, x)`` float32, speed of the gusts at 10 m [m/s]; ``None`` where the forecast has none.
+    wave
+        ``(t, y, x)`` float32, significant wave height [m]; ``None`` where the forecast has none.
+    spread
+        ``(t, y, x)`` float32, how far sources or members differ [m/s]: the standard deviation of their
+        vectors; ``None`` for a single one.
+    current
+        Current that came with the forecast, on a grid of its own.
+    members
+        Members of an ensemble, each a wind on the same axes, without members of its own; ``u`` and ``v``
+        are then their mean or the control run, as ``forecast.source`` says.
+    """
+
+    gust: NDArray[np.float32] | None = None
+    wave: NDArray[np.float32] | None = None
+    spread: NDArray[np.float32] | None = None
+    current: Current | None = None
+    members: tuple[Wind, ...] = ()
+
+    _WHAT: ClassVar[str] = "wind"
+
+    def __post_init__(self) -> None:
+        Flow.__post_init__(self)
+        for name, most, unit in (
+            ("gust", 2 * MAX_SPEED, "m/s"),
+            ("wave", 40.0, "m"),
+            ("spread", MAX_SPEED, "m/s"),
+        ):
+            values = getattr(self, name)
+            if values is not None:
+                values = np.ascontiguousarray(values, dtype=np.float32)
+                object.__setattr__(self, name, values)
+                self._check_values(values, 0.0, most, unit)
+        for member in self.members:
+            axes = ((self.time, member.time), (self.lat, member.lat), (self.lon, member.lon))
+            if member.members or not all(np.array_equal(a, b) for a, b in axes):
+                raise self._refuse("its members are not on the axes of their mean")
 
 
 def _bracket(value: ArrayLike, axis: Array) -> tuple[NDArray[np.int64], Array]:
