@@ -38,6 +38,22 @@ def inlined(function: Callable[..., Any]) -> Callable[..., Any]:
     return _compile(function, inline="always")
 
 
+def chosen(choose: Callable[..., Callable[..., Any]]) -> Callable[..., Any]:
+    """Make a function of which each kernel gets the version for the types it is called with.
+
+    ``choose`` gets numba's types in place of the arguments and returns a plain function with arguments of the
+    same names; it is compiled into the kernel like an `inlined` one.
+    """
+    from numba.extending import overload
+
+    def stub(*arguments: Any) -> Any:
+        raise NotImplementedError(f"{choose.__name__} works in compiled code only")
+
+    stub.__name__, stub.__doc__ = choose.__name__, choose.__doc__
+    overload(stub, inline="always", jit_options={"nogil": True, "error_model": "numpy"})(choose)
+    return stub
+
+
 def _compile(function: Callable[..., Any], **more: str) -> Callable[..., Any]:
     options: dict[str, Any] = {"nogil": True, "error_model": "numpy", **more}
     compiled: Callable[..., Any]

@@ -4,7 +4,11 @@ Everything here works on plain arrays. Names used throughout:
 
 ``wind``
     ``(u, v, t0, step, lat0, per_lat, lon0, per_lon)``: u, v ``(k, y, x)`` float32 [m/s], constant during
-    each slice of ``step`` seconds from ``t0``; the last slice holds for ever.
+    each slice of ``step`` seconds from ``t0``; the last slice holds for ever. Where there is a current or a
+    limit of gusts or waves, two more: ``stream``, ``(u, v, lat0, per_lat, lon0, per_lon)`` of the current
+    in the same slices on a grid of its own, and ``danger`` ``(k, y, x)`` on the wind's grid, gusts and waves
+    as shares of what is allowed; either may have no slices. Most passages need neither, and looking for them
+    would cost a quarter of a search: kernels are compiled once for each kind.
 ``speeds``
     ``(table, per_tws)``: ``(w, c)`` float32 boat speed [m/s]; rows by TWS in steps of ``1 / per_tws``,
     columns by the cosine of the TWA from -1 to 1; negative where the limits forbid to sail.
@@ -14,7 +18,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from seacruise.compiled import inlined, kernel
+from seacruise.compiled import chosen, inlined, kernel
 from seacruise.sea._prisms import closed
 
 STILL = 1e-6
@@ -38,24 +42,117 @@ def boat_speed(u, v, east, north, speeds):
 
 
 @inlined
-def cell_at(lat, lon, wind):
-    """Cell of the wind's grid around a position: row, column and the weights of its four corners."""
-    _, rows, columns = wind[0].shape
-    y = min(max((lat - wind[4]) * wind[5], 0.0), rows - 1.0)
-    x = min(max((lon - wind[6]) * wind[7], 0.0), columns - 1.0)
+def _cell(lat, lon, grid, lat0, per_lat, lon0, per_lon):
+    _, rows, columns = grid.shape
+    y = min(max((lat - lat0) * per_lat, 0.0), rows - 1.0)
+    x = min(max((lon - lon0) * per_lon, 0.0), columns - 1.0)
     r, c = min(int(y), rows - 2), min(int(x), columns - 2)
     fy, fx = y - r, x - c
     return r, c, (1 - fy) * (1 - fx), (1 - fy) * fx, fy * (1 - fx), fy * fx
 
 
+@chosen
+def cell_at(lat, lon, wind):
+    """Cells of the grids around a position: row, column and the weights of their four corners."""
+
+    def in_air(lat, lon, wind):
+        return _cell(lat, lon, wind[0], wind[4], wind[5], wind[6], wind[7])
+
+    def in_stream(lat, lon, wind):
+        stream = wind[8]
+        return (
+            _cell(lat, lon, wind[0], wind[4], wind[5], wind[6], wind[7]),
+            _cell(lat, lon, stream[0], stream[2], stream[3], stream[4], stream[5]),
+        )
+
+    return in_air if len(wind) == 8 else in_stream
+
+
+@kernel
+def made_good(u, v, set_east, set_north, east, north, speeds):
+    """Speed over ground [m/s] on a course made good, through water that moves.
+
+    She steers into the current so far that what is left of her speed lies on the course. The wind u, v is
+    the one felt by the drifting water; sought is the greatest r with ``|r d - c| = speed(r d - c)``, where d
+    is the course and c the current. 0 where she cannot stem it; negative where the limits forbid to sail.
+    """
+    straight = boat_speed(u, v, east, north, speeds)
+    if straight < 0.0:
+        return -1.0
+    r = straight + set_east * east + set_north * north
+    for _ in range(20):
+        wx, wy = r * east - set_east, r * north - set_north
+        need = np.sqrt(wx * wx + wy * wy)
+        if need < 1e-9:
+            return max(r, 0.0)
+        have = boat_speed(u, v, wx / need, wy / need, speeds)
+        if have < 0.0:
+            return -1.0
+        slope = (wx * east + wy * north) / need
+        if slope < 0.3:
+            break
+        step = (have - need) / slope
+        r += step
+        if abs(step) < 1e-5:
+            return max(r, 0.0)
+    # Near a dead angle the iteration may swing: look from above for the first speed that she can hold.
+    drift = np.sqrt(set_east * set_east + set_north * set_north)
+    most = 0.0
+    for c in range(speeds[0].shape[1]):
+        row = min(int(np.sqrt(u * u + v * v) * speeds[1]) + 1, speeds[0].shape[0] - 1)
+        most = max(most, speeds[0][row, c])
+    high = most + drift
+    low = high
+    while low > 0.0:
+        low -= 0.05
+        wx, wy = low * east - set_east, low * north - set_north
+        need = max(np.sqrt(wx * wx + wy * wy), 1e-9)
+        if boat_speed(u, v, wx / need, wy / need, speeds) >= need:
+            break
+        high = low
+    if low <= 0.0:
+        return 0.0
+    for _ in range(20):
+        r = 0.5 * (low + high)
+        wx, wy = r * east - set_east, r * north - set_north
+        need = max(np.sqrt(wx * wx + wy * wy), 1e-9)
+        if boat_speed(u, v, wx / need, wy / need, speeds) >= need:
+            low = r
+        else:
+            high = r
+    return low
+
+
 @inlined
-def speed_in(k, cell, east, north, wind, speeds):
-    """Speed [m/s] on a course in the wind of slice ``k`` at a place, see `cell_at`."""
-    u, v = wind[0], wind[1]
+def _look_up(grid, k, cell):
     r, c, w00, w01, w10, w11 = cell
-    uu = u[k, r, c] * w00 + u[k, r, c + 1] * w01 + u[k, r + 1, c] * w10 + u[k, r + 1, c + 1] * w11
-    vv = v[k, r, c] * w00 + v[k, r, c + 1] * w01 + v[k, r + 1, c] * w10 + v[k, r + 1, c + 1] * w11
-    return boat_speed(uu, vv, east, north, speeds)
+    return (
+        grid[k, r, c] * w00 + grid[k, r, c + 1] * w01 + grid[k, r + 1, c] * w10 + grid[k, r + 1, c + 1] * w11
+    )
+
+
+@chosen
+def speed_in(k, cell, east, north, wind, speeds):
+    """Speed over ground [m/s] on a course in slice ``k`` at a place, see `cell_at`."""
+
+    def in_air(k, cell, east, north, wind, speeds):
+        u, v = wind[0], wind[1]
+        r, c, w00, w01, w10, w11 = cell
+        uu = u[k, r, c] * w00 + u[k, r, c + 1] * w01 + u[k, r + 1, c] * w10 + u[k, r + 1, c + 1] * w11
+        vv = v[k, r, c] * w00 + v[k, r, c + 1] * w01 + v[k, r + 1, c] * w10 + v[k, r + 1, c + 1] * w11
+        return boat_speed(uu, vv, east, north, speeds)
+
+    def in_stream(k, cell, east, north, wind, speeds):
+        stream, danger = wind[8], wind[9]
+        if danger.shape[0] > 0 and _look_up(danger, k, cell[0]) > 1.0:
+            return -1.0
+        uu, vv = _look_up(wind[0], k, cell[0]), _look_up(wind[1], k, cell[0])
+        if stream[0].shape[0] == 0:
+            return boat_speed(uu, vv, east, north, speeds)
+        cu, cv = _look_up(stream[0], k, cell[1]), _look_up(stream[1], k, cell[1])
+        return made_good(uu - cu, vv - cv, cu, cv, east, north, speeds)
+
+    return in_air if len(wind) == 8 else in_stream
 
 
 @inlined

@@ -1,4 +1,4 @@
-"""Axial positions of a triangular lattice, and finding a point by its position."""
+"""Positions on a lattice - axial, or by column and row - and finding a point by its position."""
 
 from __future__ import annotations
 

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from seacruise.units import MS_PER_KNOT
-from seacruise.weather.wind import Wind
+from seacruise.weather.wind import Current, Flow, Wind
 from seacruise.yacht.hull import hull_speed
 from seacruise.yacht.polar import Polar
 
@@ -40,16 +40,48 @@ class WindField:
         Seconds since 1970 at which the forecast ends; the last slice, from there on, holds for ever.
     strongest, mean
         Greatest and mean wind speed in the field [m/s].
+    drift
+        Strongest current [m/s].
     """
 
     arrays: tuple[Any, ...]
     horizon: float
     strongest: float
     mean: float
+    drift: float = 0.0
+
+    def fastest(self, speeds: SpeedTable, strongest: float | None = None) -> float:
+        """Greatest speed over ground [m/s] in winds up to ``strongest`` [m/s], by default the field's."""
+        wind = self.strongest if strongest is None else strongest
+        return speeds.fastest(wind + self.drift) + self.drift
 
 
-def wind_field(wind: Wind, *, slice_s: float = FINE_SLICE_S, since: float | None = None) -> WindField:
-    """Interpolate the wind to the middle of even slices of time.
+_NONE: Final = np.empty((0, 2, 2), dtype=np.float32)
+STILL_WATER: Final = (_NONE, _NONE, 0.0, 0.0, 0.0, 0.0)
+NO_DANGER: Final = _NONE
+"""The last two of ``arrays`` where there is neither a current nor a limit of gusts or waves."""
+
+
+@dataclass(frozen=True, slots=True)
+class SeaLimits:
+    """What crew and yacht allow of gusts [m/s] and of significant wave heights [m]; ``None`` for all."""
+
+    max_gust: float | None = None
+    max_wave: float | None = None
+
+
+NO_LIMITS: Final = SeaLimits()
+
+
+def wind_field(
+    wind: Wind,
+    *,
+    slice_s: float = FINE_SLICE_S,
+    since: float | None = None,
+    current: Current | None = None,
+    limits: SeaLimits = NO_LIMITS,
+) -> WindField:
+    """Interpolate wind, current, gusts and waves to the middle of even slices of time.
 
     Parameters
     ----------
@@ -57,40 +89,69 @@ def wind_field(wind: Wind, *, slice_s: float = FINE_SLICE_S, since: float | None
         Length of a slice [s]; longer ones are taken where the field would get too large.
     since
         Seconds since 1970 from which it is needed; the begin of the forecast by default.
+    current
+        Where the water moves; beyond its own times and edges the nearest value is taken.
+    limits
+        Gusts and waves in which nobody sails; where the forecast has none they forbid nothing.
     """
     begin, end = float(wind.time[0]), float(wind.time[-1])
+    horizon = end
+    if current is not None:
+        end = max(end, float(current.time[-1]))
     if since is not None:
         begin = min(max(begin, np.floor((since - begin) / slice_s) * slice_s + begin), end)
     nodes = wind.u.shape[1] * wind.u.shape[2]
+    if current is not None:
+        nodes += current.u.shape[1] * current.u.shape[2]
     step = slice_s
     while (end - begin) / step * nodes * 8 > MOST_BYTES:
         step *= 2
     count = int(np.ceil((end - begin) / step))
     middles = np.append(np.minimum(begin + (np.arange(count) + 0.5) * step, end), end)
-    u, v = _at_times(wind, middles)
-    if wind.lat.size == 1:
-        u, v = np.repeat(u, 2, axis=1), np.repeat(v, 2, axis=1)
-    if wind.lon.size == 1:
-        u, v = np.repeat(u, 2, axis=2), np.repeat(v, 2, axis=2)
-    per_lat = 1.0 / float(wind.lat[1] - wind.lat[0]) if wind.lat.size > 1 else 0.0
-    per_lon = 1.0 / float(wind.lon[1] - wind.lon[0]) if wind.lon.size > 1 else 0.0
+    u, v = (_at_times(wind, component, middles) for component in (wind.u, wind.v))
+    stream: tuple[Any, ...] = STILL_WATER
+    drift = 0.0
+    if current is not None:
+        cu, cv = (_at_times(current, component, middles) for component in (current.u, current.v))
+        stream, drift = (cu, cv, *_frame(current)), float(np.hypot(cu, cv).max())
     tws = np.hypot(u, v)
-    arrays = (u, v, begin, step, float(wind.lat[0]), per_lat, float(wind.lon[0]), per_lon)
-    return WindField(arrays, end, float(tws.max()), float(tws.mean()))
+    danger = _danger(wind, limits, middles)
+    arrays: tuple[Any, ...] = (u, v, begin, step, *_frame(wind))
+    if current is not None or danger is not NO_DANGER:
+        arrays = (*arrays, stream, danger)
+    return WindField(arrays, horizon, float(tws.max()), float(tws.mean()), drift)
 
 
-def _at_times(wind: Wind, times: NDArray[np.float64]) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
-    if wind.time.size == 1:
-        shape = (times.size, *wind.u.shape[1:])
-        return np.broadcast_to(wind.u, shape).copy(), np.broadcast_to(wind.v, shape).copy()
-    after = np.clip(np.searchsorted(wind.time, times, side="right"), 1, wind.time.size - 1)
-    share = (times - wind.time[after - 1]) / (wind.time[after] - wind.time[after - 1])
-    part = share.astype(np.float32)[:, None, None]
+def _frame(flow: Flow) -> tuple[float, float, float, float]:
+    """First latitude, rows per degree, first longitude, columns per degree; 0 per degree for a single one."""
+    per_lat = 1.0 / float(flow.lat[1] - flow.lat[0]) if flow.lat.size > 1 else 0.0
+    per_lon = 1.0 / float(flow.lon[1] - flow.lon[0]) if flow.lon.size > 1 else 0.0
+    return float(flow.lat[0]), per_lat, float(flow.lon[0]), per_lon
 
-    def between(component: NDArray[np.float32]) -> NDArray[np.float32]:
-        return np.ascontiguousarray(component[after - 1] * (1 - part) + component[after] * part)
 
-    return between(wind.u), between(wind.v)
+def _at_times(flow: Flow, grid: NDArray[np.float32], times: NDArray[np.float64]) -> NDArray[np.float32]:
+    """Interpolate a grid ``(t, y, x)`` of a flow in time; both axes of space get at least two nodes."""
+    if flow.time.size == 1:
+        at = np.broadcast_to(grid, (times.size, *grid.shape[1:])).copy()
+    else:
+        after = np.clip(np.searchsorted(flow.time, times, side="right"), 1, flow.time.size - 1)
+        share = (times - flow.time[after - 1]) / (flow.time[after] - flow.time[after - 1])
+        part = np.clip(share, 0.0, 1.0).astype(np.float32)[:, None, None]
+        at = np.ascontiguousarray(grid[after - 1] * (1 - part) + grid[after] * part)
+    for axis in (1, 2):
+        if at.shape[axis] == 1:
+            at = np.repeat(at, 2, axis=axis)
+    return at
+
+
+def _danger(wind: Wind, limits: SeaLimits, times: NDArray[np.float64]) -> NDArray[np.float32]:
+    """Gusts and waves as shares of what is allowed, the worse of both; without slices where all is."""
+    shares = [
+        _at_times(wind, grid, times) / np.float32(max(limit, 1e-3))
+        for grid, limit in ((wind.gust, limits.max_gust), (wind.wave, limits.max_wave))
+        if grid is not None and limit is not None
+    ]
+    return np.maximum.reduce(shares) if shares else NO_DANGER
 
 
 @dataclass(frozen=True, slots=True)

@@ -207,7 +207,7 @@ class Finder:
         ledger.directions = asked.how.directions or COURSES
         ledger.spacing_nm = asked.how.spacing_nm or min(SPACING_NM, max(0.5, direct / METRES_PER_NM / 40))
         # A guess of the duration spares most passages a second, wider search; the loop does not trust it.
-        pace = _GUESSED_PACE * waters.speeds.fastest(waters.field.mean)
+        pace = _GUESSED_PACE * waters.field.fastest(waters.speeds, waters.field.mean)
         guessed = _reach_needed(asked, waters, direct / pace) if pace > 0.0 else 0.0
         reach = min(max(guessed, direct * _FIRST_REACH, direct + 20 * METRES_PER_NM), direct * _LAST_REACH)
         # A limit that is held at a coarse look may be broken at a fine one: look finely at once.
@@ -302,13 +302,13 @@ def farthest_m(
     In each slice of time the fastest she can be is her best speed in the strongest wind then blowing
     anywhere near. Two ends make an ellipse of what is near; one makes a circle, of that radius.
     """
-    u, v, begin, step, south, per_lat, west, per_lon = wind.arrays
+    u, v, begin, step, south, per_lat, west, per_lon = wind.arrays[:8]
     lat = south + np.arange(u.shape[1]) / per_lat if per_lat else np.full(u.shape[1], south)
     lon = west + np.arange(u.shape[2]) / per_lon if per_lon else np.full(u.shape[2], west)
     lat, lon = np.meshgrid(lat, lon, indexing="ij")
     around = np.sum([great_circle_m(lat, lon, *end) for end in ends], axis=0)
     cell = (1.0 / per_lat if per_lat else 0.0) * 111_200.0
-    reach = speeds.fastest(wind.strongest) * seconds
+    reach = wind.fastest(speeds) * seconds
     # Winds that are too far away to be met count for nothing, which makes the reach smaller: once more.
     for _ in range(3):
         inside = around <= reach + 2 * cell
@@ -320,7 +320,7 @@ def farthest_m(
             k = min(int((t - begin) / step), u.shape[0] - 1)
             until = min(begin + (k + 1) * step if k < u.shape[0] - 1 else math.inf, departure + seconds)
             strongest = float(np.hypot(u[k][inside], v[k][inside]).max(initial=0.0))
-            reach += speeds.fastest(strongest) * (until - t)
+            reach += wind.fastest(speeds, strongest) * (until - t)
             t = until
     return reach
 

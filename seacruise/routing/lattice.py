@@ -1,24 +1,29 @@
-"""The lattice of the sea: triangular, in the Mercator plane, finer near the shore where that is asked.
+"""The lattice of the sea: in the Mercator plane, finer near the shore where that is asked.
 
 Mercator keeps angles, so the courses of a stencil are the same compass courses everywhere, and each edge
-is a rhumb line. Levels are nested: level s has half the spacing of level s - 1 and contains its
-vertices, so a fine lattice near the shore is joined to the coarse one by the vertices they share.
+is a rhumb line. It is triangular, or rectangular as R2 and R3 have it. Levels are nested: level s has half
+the spacing of level s - 1 and contains its vertices, so a fine lattice near the shore is joined to the
+coarse one by the vertices they share.
 """
 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
-from typing import Final, Literal
+from dataclasses import dataclass
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from seacruise.errors import InputError
-from seacruise.geodesy import EARTH_RADIUS, from_mercator, scale, to_mercator
-from seacruise.routing import axial, stencil
+from seacruise.geodesy import from_mercator, scale, to_mercator
+from seacruise.routing import axial
+from seacruise.routing.area import NO_LEVELS, Area, Levels, chord_m, room_m
+from seacruise.routing.stencil import TRIANGLES, Mesh
 from seacruise.sea import Sea
 from seacruise.units import METRES_PER_NM
+
+__all__ = ["NO_LEVELS", "Area", "Lattice", "Levels", "build", "chord_m", "grid"]
 
 Array = NDArray[np.float64]
 
@@ -30,54 +35,6 @@ SHORE_LEVEL: Final = 3
 
 _JOINED: Final = 48
 _AT_ONCE: Final = 1_000_000
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Area:
-    """Where vertices may lie.
-
-    Attributes
-    ----------
-    kind
-        ``"ellipse"``: the sum of the distances to both ends is at most ``reach_m`` [m, true].
-        ``"rectangle"``: at most ``reach_m`` [m of the plane] to each side of the direct line (R1).
-        ``"corridor"``: at most ``reach_m`` [m of the plane] from a line, and half of that for each level.
-    lines
-        ``(n, 4)`` x0, y0, x1, y1 of the Mercator plane [m]: the direct line, or the lines to follow.
-    """
-
-    kind: Literal["ellipse", "rectangle", "corridor"]
-    lines: Array
-    reach_m: float
-
-    def at_level(self, level: int) -> Area:
-        """Give the part in which a level is refined."""
-        return replace(self, reach_m=self.reach_m / 2**level) if self.kind == "corridor" else self
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Levels:
-    """How the lattice is refined towards the shore.
-
-    Attributes
-    ----------
-    everywhere
-        Levels by which the shore is refined in the whole area.
-    approaches
-        Further levels around ``ways``: the ways by which each end leads out of islands.
-    ways
-        For each end ``(n, 4)`` lines as in `Area`.
-    sides
-        How far around the ways, in sides of a level's triangles.
-    """
-
-    everywhere: int = 0
-    approaches: int = 0
-    ways: tuple[Array, ...] = ()
-    sides: float = 3.0
-
-
-NO_LEVELS: Final = Levels()
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -93,7 +50,7 @@ class Lattice:
     start, end
         Vertices of the two ends: the last two.
     spacing_m
-        Side of the coarsest triangles [m of the plane].
+        Side of the coarsest triangles, or distance of the coarsest columns [m of the plane].
     joined
         Vertices of the further positions that were joined to the lattice, in their order.
     """
@@ -143,6 +100,7 @@ def build(
     spacing_nm: float,
     offsets: NDArray[np.int64],
     area: Area,
+    mesh: Mesh = TRIANGLES,
     levels: Levels = NO_LEVELS,
     shore_offsets: NDArray[np.int64] | None = None,
     enter_from: int | None = None,
@@ -153,9 +111,9 @@ def build(
     Parameters
     ----------
     spacing_nm
-        Side of the coarsest triangles [nm, true at the middle latitude].
-    offsets
-        Stencil, see `seacruise.routing.stencil`.
+        Side of the coarsest triangles or squares [nm, true at the middle latitude].
+    offsets, mesh
+        Stencil and what it is laid on, see `seacruise.routing.stencil`.
     shore_offsets
         Stencil of the levels from `SHORE_LEVEL` on; the same by default. Narrow water leaves little choice of
         course, and what is left is relaxed later.
@@ -169,23 +127,56 @@ def build(
     Raises
     ------
     InputError
-        When the lattice would not fit in memory.
+        When the lattice would not fit in memory, or the safety zones are wider than the sea's raster tells.
     """
     (sx, ex), (sy, ey) = (c.tolist() for c in to_mercator([start[0], end[0]], [start[1], end[1]]))
-    middle = float(from_mercator(0.0, (sy + ey) / 2)[0])
-    spacing = spacing_nm * METRES_PER_NM / float(scale(middle))
-    grower = _Grower(sea, (sx, sy), (ex, ey), spacing)
-    whole = grower.grow(None, 0, offsets, area)
-    for level in range(1, levels.everywhere + 1):
-        stencil_here = offsets if shore_offsets is None or level < SHORE_LEVEL else shore_offsets
-        whole = grower.grow(whole, level, stencil_here, area.at_level(level))
-    for way in levels.ways:
-        patch = whole
-        for level in range(levels.everywhere + 1, levels.everywhere + levels.approaches + 1):
-            around = Area("corridor", way, levels.sides * spacing / 2**level)
-            patch = grower.grow(patch, level, offsets, around)
+    spacing = spacing_nm * METRES_PER_NM / float(scale(float(from_mercator(0.0, (sy + ey) / 2)[0])))
+    grower = _Grower(sea, ((sx, sy), (ex, ey)), (sx, sy), spacing, mesh)
+    grower.grow_all(offsets, shore_offsets, area, levels)
     jx, jy = to_mercator(*zip(*joined, strict=True)) if joined else (np.empty(0), np.empty(0))
     return grower.finish(enter_from, np.stack([jx, jy], axis=1))
+
+
+def grid(
+    sea: Sea,
+    start: tuple[float, float],
+    end: tuple[float, float],
+    *,
+    corners: tuple[float, float, float, float],
+    shape: tuple[int, int],
+    offsets: NDArray[np.int64],
+    levels: Levels = NO_LEVELS,
+) -> Lattice:
+    """Lay rows and columns of points over a bounded area, as R2 and R3 do, and join both ends to them.
+
+    Columns are evenly spaced in longitude and rows in the Mercator plane, so that every move is one true
+    course everywhere; what course it is follows from the shape of the rectangles.
+
+    Parameters
+    ----------
+    corners
+        South, west, north, east [degrees].
+    shape
+        Rows and columns, 2 or more; the outermost lie on the borders of the area.
+    offsets
+        See `seacruise.routing.stencil.rectangular`.
+
+    Raises
+    ------
+    InputError
+        The area is empty, or as for `build`.
+    """
+    south, west, north, east = corners
+    if not (-85.0 < south < north < 85.0 and west < east and min(shape) >= 2):
+        raise InputError(
+            "A grid needs south below north, west before east and two rows and columns at least."
+        )
+    (x0, x1), (y0, y1) = (c.tolist() for c in to_mercator([south, north], [west, east]))
+    side, row = (x1 - x0) / (shape[1] - 1), (y1 - y0) / (shape[0] - 1)
+    (sx, ex), (sy, ey) = (c.tolist() for c in to_mercator([start[0], end[0]], [start[1], end[1]]))
+    grower = _Grower(sea, ((sx, sy), (ex, ey)), (x0, y0), side, Mesh(0.0, row / side))
+    grower.grow_all(offsets, None, Area("box", np.array([[x0, y0, x1, y1]])), levels)
+    return grower.finish(None, np.empty((0, 2)))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -197,12 +188,21 @@ class _Patch:
 
 
 class _Grower:
-    """Collects vertices and edges level by level; `build` is its only user."""
+    """Collects vertices and edges level by level, for `build` and `grid`.
+
+    Positions are of the Mercator plane [m]: the two ends, and the origin of the lattice.
+    """
 
     def __init__(
-        self, sea: Sea, start: tuple[float, float], end: tuple[float, float], spacing: float
+        self,
+        sea: Sea,
+        ends: tuple[tuple[float, float], tuple[float, float]],
+        origin: tuple[float, float],
+        spacing: float,
+        mesh: Mesh,
     ) -> None:
-        self.sea, self.start, self.end, self.spacing = sea, start, end, spacing
+        self.sea, self.origin, self.spacing, self.mesh = sea, origin, spacing, mesh
+        self.start, self.end = ends
         self.finest = spacing
         self.x: list[Array] = []
         self.y: list[Array] = []
@@ -210,18 +210,46 @@ class _Grower:
         self.a: list[NDArray[np.int32]] = []
         self.b: list[NDArray[np.int32]] = []
 
-    def grow(self, above: _Patch | None, level: int, offsets: NDArray[np.int64], area: Area) -> _Patch:
+    def grow_all(
+        self, offsets: NDArray[np.int64], shore: NDArray[np.int64] | None, area: Area, levels: Levels
+    ) -> None:
+        """Add the coarse lattice and all its levels."""
+        self._check_radius(levels)
+        whole = self._grow(None, 0, offsets, area, NO_LEVELS)
+        for level in range(1, levels.deepest + 1):
+            stencil_here = offsets if shore is None or level < SHORE_LEVEL else shore
+            whole = self._grow(whole, level, stencil_here, area.at_level(level), levels)
+        for way in levels.ways:
+            patch = whole
+            for level in range(levels.deepest + 1, levels.everywhere + levels.approaches + 1):
+                around = Area("corridor", way, levels.sides * self.spacing / 2**level)
+                patch = self._grow(patch, level, offsets, around, levels)
+
+    def _check_radius(self, levels: Levels) -> None:
+        """Refuse safety zones wider than the raster's cells can tell."""
+        from seacruise.sea import _kernels as k
+
+        water = self.sea.water
+        north = max(abs(water.y0), abs(water.y0 + water.cells.shape[0] * water.cell))
+        rings = int(np.iinfo(water.cells.dtype).max) - k.WATER
+        known = rings * water.cell * float(scale(from_mercator(0.0, north)[0]))
+        if levels.safety_levels and levels.safety_radius_m > known:
+            raise InputError(
+                f"A safety radius of {levels.safety_radius_m / METRES_PER_NM:g} nm is wider than the sea's "
+                f"raster can tell; give up to {math.floor(known / METRES_PER_NM)} nm."
+            )
+
+    def _grow(
+        self, above: _Patch | None, level: int, offsets: NDArray[np.int64], area: Area, levels: Levels
+    ) -> _Patch:
         """Add the vertices of a level that are not there yet, and the edges of its stencil."""
         side = self.spacing / 2**level
         self.finest = min(self.finest, side)
-        i, j = self._candidates(side, area)
-        x = self.start[0] + side * (i + j / 2.0)
-        y = self.start[1] + side * stencil.ROW_HEIGHT * j
-        wanted = self._wet(x, y, side if level else None)
-        if area.kind == "ellipse":
-            wanted[wanted] = _inside_ellipse(area, x[wanted], y[wanted])
-        elif area.kind == "rectangle":
-            wanted[wanted] = _inside_rectangle(area, x[wanted], y[wanted])
+        i, j = self._candidates(side, area, level, levels)
+        x = self.origin[0] + side * (i + self.mesh.lean * j)
+        y = self.origin[1] + side * self.mesh.rise * j
+        wanted = self.sea.is_water_at(x, y)
+        wanted[wanted] = area.holds(x[wanted], y[wanted])
         i, j, x, y = i[wanted], j[wanted], x[wanted], y[wanted]
         numbers = _shared_numbers(above, i, j)
         fresh = numbers < 0
@@ -236,43 +264,72 @@ class _Grower:
         self._join(patch, i, j, offsets)
         return patch
 
-    def _candidates(self, side: float, area: Area) -> tuple[axial.Whole, axial.Whole]:
-        """Axial positions that may become vertices, by row and column."""
-        from seacruise.routing import _kernels as k
-
+    def _candidates(
+        self, side: float, area: Area, level: int, levels: Levels
+    ) -> tuple[axial.Whole, axial.Whole]:
+        """Positions that may become vertices of a level, by row and column."""
+        near = self._around_hazards(side, area, level, levels)
         if area.kind == "corridor":
-            return axial.unique(*k.corridor_points(area.lines, area.reach_m, side, *self.start))
-        ends, reach = area.lines.reshape(-1, 2), area.reach_m
-        if area.kind == "ellipse":
-            flat = float(scale(from_mercator(0.0, np.abs(ends[:, 1]).max())[0])) * 0.95
-            length, total = float(np.hypot(*(ends[-1] - ends[0]))), area.reach_m / flat
-            reach = max((total - length) / 2, math.sqrt(max(0.0, total**2 - length**2)) / 2)
-        water = self.sea.water
-        corner = np.array([water.x0, water.y0])
-        extent = np.array(water.cells.shape[::-1]) * water.cell
-        low = (np.maximum(ends.min(axis=0) - reach, corner) - self.start) / side
-        high = (np.minimum(ends.max(axis=0) + reach, corner + extent) - self.start) / side
-        j0, j1 = math.floor(low[1] / stencil.ROW_HEIGHT), math.ceil(high[1] / stencil.ROW_HEIGHT)
-        i0, i1 = math.floor(low[0] - j1 / 2), math.ceil(high[0] - j0 / 2)
-        if (j1 - j0 + 1) * (i1 - i0 + 1) > 6 * MOST_VERTICES:
-            raise _too_fine()
-        j, i = np.mgrid[j0 : j1 + 1, i0 : i1 + 1]
-        # The axial rectangle leans: its corners lie far outside the upright one that is wanted.
-        x = i + j / 2.0
-        upright = (x >= low[0]) & (x <= high[0])
-        return i[upright], j[upright]
+            i, j = self._along(area.lines, area.reach_m, side)
+            if level == 0:
+                return i, j
+            kept = self._near_shore(i, j, side, levels.radius_at(level))
+            if near[0].size:
+                kept |= axial.Index(*near).at(i, j) >= 0
+            return i[kept], j[kept]
+        from seacruise.routing import _points as k
 
-    def _wet(self, x: Array, y: Array, refined: float | None) -> NDArray[np.bool_]:
-        """Which points are water; for a refined level of that spacing, within two sides of the shore."""
+        water, (low, high) = self.sea.water, area.bounds()
+        fits, i, j = k.water_points(
+            water.cells,
+            (water.x0, water.y0, water.cell),
+            self.mesh.pair,
+            self.origin,
+            side,
+            (float(low[0]), float(low[1]), float(high[0]), float(high[1])),
+            (2.0 * side * self.mesh.longest, levels.radius_at(level)) if level else (math.inf, 0.0),
+            6 * MOST_VERTICES,
+        )
+        if not fits:
+            raise _too_fine()
+        if near[0].size:
+            return axial.unique(np.concatenate([i, near[0]]), np.concatenate([j, near[1]]))
+        return i, j
+
+    def _along(self, lines: Array, reach: float, side: float) -> tuple[axial.Whole, axial.Whole]:
+        """Positions within reach of lines."""
+        from seacruise.routing import _points as k
+
+        fits, i, j = k.corridor_points(lines, reach, self.mesh.pair, self.origin, side, 6 * MOST_VERTICES)
+        if not fits:
+            raise _too_fine()
+        return axial.unique(i, j)
+
+    def _around_hazards(
+        self, side: float, area: Area, level: int, levels: Levels
+    ) -> tuple[axial.Whole, axial.Whole]:
+        """Positions within reach of the borders of hazards."""
+        low, high = area.bounds()
+        lines = levels.hazards_at(level)
+        reach = float(
+            room_m(levels.radius_at(level), side * self.mesh.longest, np.abs([low[1], high[1]])).max()
+        )
+        west, south = lines[:, [0, 2]].min(axis=1), lines[:, [1, 3]].min(axis=1)
+        east, north = lines[:, [0, 2]].max(axis=1), lines[:, [1, 3]].max(axis=1)
+        apart = (east < low[0] - reach) | (west > high[0] + reach)
+        apart |= (north < low[1] - reach) | (south > high[1] + reach)
+        return self._along(lines[~apart], reach, side)
+
+    def _near_shore(self, i: axial.Whole, j: axial.Whole, side: float, radius: float) -> NDArray[np.bool_]:
+        """Which positions are within reach of a shore; see `_points.water_points`, which tells the same."""
         from seacruise.sea import _kernels as k
 
+        x = np.asarray(self.origin[0] + side * (i + self.mesh.lean * j))
+        y = np.asarray(self.origin[1] + side * self.mesh.rise * j)
         value = self.sea.water.at(x, y)
-        wanted = value >= k.WATER
-        shore = np.flatnonzero((value == k.SHORE) | (value == k.SHORE_WATER))
-        wanted[shore] = self.sea.is_water_at(x[shore], y[shore])
-        if refined is not None:
-            wanted &= (value.astype(np.float64) - k.WATER) * self.sea.water.cell < 2.0 * refined
-        return np.asarray(wanted)
+        rings = value.astype(np.float64) - k.WATER
+        room = room_m(radius, side * self.mesh.longest, y)
+        return np.asarray((value != k.LAND) & (rings * self.sea.water.cell < room))
 
     def _join(self, patch: _Patch, i: axial.Whole, j: axial.Whole, offsets: NDArray[np.int64]) -> None:
         """Add the edges that cross no land, both ways; half of the stencil finds them all."""
@@ -332,9 +389,10 @@ class _Grower:
     def _in_sight(
         self, x: Array, y: Array, end: int, count: int, *, most: int | None = None
     ) -> NDArray[np.int32]:
-        """Vertices that an end is joined to: those within two sides of its triangles, level by level."""
+        """Vertices that an end is joined to: those within two of its sides, level by level."""
         away = np.hypot(x[:count] - x[end], y[:count] - y[end])
-        nearest = np.flatnonzero(away < 2.1 * self.spacing)
+        around = 2.1 * self.spacing * self.mesh.longest
+        nearest = np.flatnonzero(away < around)
         if nearest.size < max(_JOINED, most or 0):
             nearest = np.arange(count)
         nearest = nearest[np.argsort(away[nearest], kind="stable")]
@@ -343,7 +401,7 @@ class _Grower:
         else:
             near = nearest[:_JOINED]
             for level in range(round(math.log2(self.spacing / self.finest)) + 1):
-                ring = np.flatnonzero(away < 2.1 * self.spacing / 2**level)
+                ring = np.flatnonzero(away < around / 2**level)
                 # Of a crowded ring the outer ones: the inner ones belong to the next level.
                 near = np.union1d(near, ring[np.argsort(-away[ring], kind="stable")[:_JOINED]])
         near = near[away[near] > 1e-6]
@@ -359,22 +417,6 @@ def _too_fine() -> InputError:
     )
 
 
-def _inside_ellipse(area: Area, x: Array, y: Array) -> NDArray[np.bool_]:
-    total = np.zeros(x.size)
-    lat, lon = from_mercator(x, y)
-    for point in (area.lines[0, :2], area.lines[0, 2:]):
-        total += chord_m(lat, lon, *(float(c) for c in from_mercator(*point)))
-    return np.asarray(total <= area.reach_m)
-
-
-def _inside_rectangle(area: Area, x: Array, y: Array) -> NDArray[np.bool_]:
-    x0, y0, x1, y1 = area.lines[0]
-    length = math.hypot(x1 - x0, y1 - y0)
-    ux, uy = (x1 - x0) / length, (y1 - y0) / length
-    along, across = (x - x0) * ux + (y - y0) * uy, (x - x0) * uy - (y - y0) * ux
-    return np.asarray((np.abs(across) <= area.reach_m) & (along >= -1.0) & (along <= length + 1.0))
-
-
 def _shared_numbers(above: _Patch | None, i: axial.Whole, j: axial.Whole) -> NDArray[np.int32]:
     """Numbers of the points that a level has in common with the one above it, -1 for all others."""
     numbers = np.full(i.size, -1, dtype=np.int32)
@@ -383,12 +425,3 @@ def _shared_numbers(above: _Patch | None, i: axial.Whole, j: axial.Whole) -> NDA
         place = above.index.at(i[even] // 2, j[even] // 2)
         numbers[even[place >= 0]] = above.numbers[place[place >= 0]]
     return numbers
-
-
-def chord_m(lat: Array, lon: Array, lat0: float, lon0: float) -> Array:
-    """Straight distance through the earth [m]: a lower bound of every distance on it, and a metric."""
-    p, l = np.radians(lat), np.radians(lon)  # noqa: E741
-    p0, l0 = math.radians(lat0), math.radians(lon0)
-    dx = np.cos(p) * np.cos(l) - math.cos(p0) * math.cos(l0)
-    dy = np.cos(p) * np.sin(l) - math.cos(p0) * math.sin(l0)
-    return np.asarray(EARTH_RADIUS * np.sqrt(dx**2 + dy**2 + (np.sin(p) - math.sin(p0)) ** 2))

@@ -276,7 +276,7 @@ class _Homewards:
         """Give the earliest arrival at the start, seconds since 1970; inf where there is none."""
         field, speeds = self.asked.field, self.asked.speeds
         grid = replace(self.grid, start=vertex)
-        fastest = speeds.fastest(field.strongest)
+        fastest = field.fastest(speeds)
         hopeless = np.zeros(grid.vertices, dtype=bool)
         if departure <= self.leave_by[vertex]:
             # She is back in time, so no vertex on her way is left later than it may be.
@@ -301,7 +301,7 @@ def _promising(asked: Outing, ports: Sequence[Position]) -> tuple[list[int], flo
     after = found.arrival - asked.departure
     there = after <= granted
     lat, lon, after = grid.lat[there], grid.lon[there], after[there]
-    fastest = asked.speeds.fastest(asked.field.strongest)
+    fastest = asked.field.fastest(asked.speeds)
     within = np.minimum((granted - after) * fastest, FARTHEST_WAY_NM * METRES_PER_NM)
     promising = [k for k, port in enumerate(ports) if (great_circle_m(lat, lon, *port) <= within).any()]
     return promising, float(great_circle_m(lat, lon, *asked.start).max())

@@ -78,7 +78,7 @@ def search(
 
     ahead = np.zeros(lattice.vertices)
     if to_end:
-        fastest = speeds.fastest(field.strongest)
+        fastest = field.fastest(speeds)
         if fastest > 0.0:
             ahead = (
                 chord_m(lattice.lat, lattice.lon, lattice.lat[lattice.end], lattice.lon[lattice.end])
