@@ -156,6 +156,15 @@ def speed_in(k, cell, east, north, wind, speeds):
 
 
 @inlined
+def wind_at(t, lat, lon, wind):
+    """Wind u, v [m/s] over ground at a place and time."""
+    slices, t0, step = wind[0].shape[0], wind[2], wind[3]
+    k = min(max(int((t - t0) / step), 0), slices - 1)
+    cell = _cell(lat, lon, wind[0], wind[4], wind[5], wind[6], wind[7])
+    return _look_up(wind[0], k, cell), _look_up(wind[1], k, cell)
+
+
+@inlined
 def sail_line(t, lat0, lon0, lat1, lon1, length, east, north, piece, wind, speeds):
     """Arrival [s] at the end of a straight leg of ``length`` metres left at time ``t``; inf if never.
 
@@ -354,6 +363,7 @@ def reachable(first, target, start):
 
 
 EARTH_RADIUS = 6_371_008.8
+DEGREES_PER_METRE = 180.0 / (np.pi * EARTH_RADIUS)
 
 
 @inlined
@@ -373,20 +383,19 @@ def sail_rhumb(t, x0, y0, x1, y1, piece, wind, speeds):
         length = span * EARTH_RADIUS * np.radians(lat1 - lat0) / dy
     else:
         length = span * np.cos(np.radians(0.5 * (lat0 + lat1)))
-    per_degree = 180.0 / (np.pi * EARTH_RADIUS)
     return sail_line(
-        t, lat0, x0 * per_degree, lat1, x1 * per_degree, length, dx / span, dy / span, piece, wind, speeds
+        t,
+        lat0,
+        x0 * DEGREES_PER_METRE,
+        lat1,
+        x1 * DEGREES_PER_METRE,
+        length,
+        dx / span,
+        dy / span,
+        piece,
+        wind,
+        speeds,
     )
-
-
-@kernel
-def sail_legs(t, x, y, piece, wind, speeds):
-    """Arrival [s] at each of the waypoints ``(n,)`` of a line of rhumb legs, left at time ``t``."""
-    arrival = np.empty(x.size)
-    arrival[0] = t
-    for k in range(1, x.size):
-        arrival[k] = sail_rhumb(arrival[k - 1], x[k - 1], y[k - 1], x[k], y[k], piece, wind, speeds)
-    return arrival
 
 
 @kernel

@@ -1,15 +1,17 @@
 """Compiled loops that pull a passage straight in time: waypoints moved, dropped and put in.
 
 Who reaches a waypoint earlier reaches the end earlier (FIFO), so a move of one waypoint is judged by the
-arrival at the next one: two legs to sail, however long the passage is.
+arrival at the next one - where turning costs time, by the time at which she has turned there: two legs to
+sail, however long the passage is.
 """
 
 from __future__ import annotations
 
 import numpy as np
 
-from seacruise.compiled import kernel
-from seacruise.routing._kernels import sail_rhumb
+from seacruise.compiled import inlined, kernel
+from seacruise.routing._kernels import DEGREES_PER_METRE, _latitude, sail_rhumb, wind_at
+from seacruise.routing._turning import pause_of
 from seacruise.sea._kernels import free_line
 from seacruise.sea._prisms import closed
 
@@ -27,19 +29,71 @@ def _free(water, frame, x0, y0, t0, x1, y1, t1):
     return free_line(raster, (x0 - ox) / cell, (y0 - oy) / cell, (x1 - ox) / cell, (y1 - oy) / cell)
 
 
+@inlined
+def _pause(ax, ay, bx, by, cx, cy, t, wind, pauses):
+    """Seconds lost by turning at b, reached at time t, from the leg a - b to the leg b - c."""
+    if pauses[0] + pauses[1] + pauses[2] == 0.0:
+        return 0.0
+    span0 = max(np.hypot(bx - ax, by - ay), 1e-9)
+    span1 = max(np.hypot(cx - bx, cy - by), 1e-9)
+    u, v = wind_at(t, _latitude(by), bx * DEGREES_PER_METRE, wind)
+    return pause_of((bx - ax) / span0, (by - ay) / span0, (cx - bx) / span1, (cy - by) / span1, u, v, pauses)
+
+
 @kernel
-def _retime(x, y, times, count, since, piece, wind, speeds):
+def _through(x, y, t, k, nx, ny, count, latest, piece, wind, speeds, pauses):
+    """Time of leaving waypoint k + 1 when k lies at ``nx, ny`` and k - 1 is reached at time t.
+
+    Who is not at k before ``latest`` need not sail on.
+
+    Returns
+    -------
+    here, then, leave
+        Arrival at k, at k + 1, and the time at which she has turned there.
+    """
+    if k > 1:
+        t += _pause(x[k - 2], y[k - 2], x[k - 1], y[k - 1], nx, ny, t, wind, pauses)
+    here = sail_rhumb(t, x[k - 1], y[k - 1], nx, ny, piece, wind, speeds)
+    if here >= latest:
+        return here, np.inf, np.inf
+    leave = here + _pause(x[k - 1], y[k - 1], nx, ny, x[k + 1], y[k + 1], here, wind, pauses)
+    then = sail_rhumb(leave, nx, ny, x[k + 1], y[k + 1], piece, wind, speeds)
+    leave = then
+    if k + 2 < count:
+        leave += _pause(nx, ny, x[k + 1], y[k + 1], x[k + 2], y[k + 2], then, wind, pauses)
+    return here, then, leave
+
+
+@kernel
+def _straight(x, y, t, k, count, piece, wind, speeds, pauses):
+    """`_through` without waypoint k: arrival at k + 1, and the time at which she has turned there."""
+    if k > 1:
+        t += _pause(x[k - 2], y[k - 2], x[k - 1], y[k - 1], x[k + 1], y[k + 1], t, wind, pauses)
+    then = sail_rhumb(t, x[k - 1], y[k - 1], x[k + 1], y[k + 1], piece, wind, speeds)
+    leave = then
+    if k + 2 < count:
+        leave += _pause(x[k - 1], y[k - 1], x[k + 1], y[k + 1], x[k + 2], y[k + 2], then, wind, pauses)
+    return then, leave
+
+
+@kernel
+def retime(x, y, times, count, since, piece, wind, speeds, pauses):
+    """Fill in the arrivals from waypoint ``since`` on; turns are paid for at the waypoints between."""
     for k in range(since, count):
-        times[k] = sail_rhumb(times[k - 1], x[k - 1], y[k - 1], x[k], y[k], piece, wind, speeds)
+        t = times[k - 1]
+        if k > 1:
+            t += _pause(x[k - 2], y[k - 2], x[k - 1], y[k - 1], x[k], y[k], t, wind, pauses)
+        times[k] = sail_rhumb(t, x[k - 1], y[k - 1], x[k], y[k], piece, wind, speeds)
 
 
 @kernel
-def _move(x, y, times, count, step, piece, water, frame, wind, speeds):
+def _move(x, y, times, count, step, piece, water, frame, wind, speeds, pauses):
     """Try to shift each waypoint by ``step`` in twelve directions; returns the seconds gained."""
     gained = 0.0
     for k in range(1, count - 1):
-        times[k] = sail_rhumb(times[k - 1], x[k - 1], y[k - 1], x[k], y[k], piece, wind, speeds)
-        best = sail_rhumb(times[k], x[k], y[k], x[k + 1], y[k + 1], piece, wind, speeds)
+        times[k], _, best = _through(
+            x, y, times[k - 1], k, x[k], y[k], count, np.inf, piece, wind, speeds, pauses
+        )
         before = best
         bx, by, at = x[k], y[k], times[k]
         along = np.arctan2(y[k + 1] - y[k - 1], x[k + 1] - x[k - 1])
@@ -48,43 +102,38 @@ def _move(x, y, times, count, step, piece, water, frame, wind, speeds):
             # Across the course first: along it a waypoint gains next to nothing.
             angle = along + np.pi * (0.5 + turn / 6.0)
             nx, ny = ox + step * np.cos(angle), oy + step * np.sin(angle)
-            here = sail_rhumb(times[k - 1], x[k - 1], y[k - 1], nx, ny, piece, wind, speeds)
-            if here >= best:
-                continue
-            then = sail_rhumb(here, nx, ny, x[k + 1], y[k + 1], piece, wind, speeds)
+            here, then, leave = _through(
+                x, y, times[k - 1], k, nx, ny, count, best, piece, wind, speeds, pauses
+            )
             if (
-                then < best - 1e-3
+                leave < best - 1e-3
                 and _free(water, frame, x[k - 1], y[k - 1], times[k - 1], nx, ny, here)
                 and _free(water, frame, nx, ny, here, x[k + 1], y[k + 1], then)
             ):
-                best, bx, by, at = then, nx, ny, here
+                best, bx, by, at = leave, nx, ny, here
         x[k], y[k], times[k] = bx, by, at
         if before < np.inf:
             gained += before - best
-    times[count - 1] = sail_rhumb(
-        times[count - 2], x[count - 2], y[count - 2], x[count - 1], y[count - 1], piece, wind, speeds
-    )
+    retime(x, y, times, count, count - 1, piece, wind, speeds, pauses)
     return gained
 
 
 @kernel
-def _drop(x, y, times, count, slack, piece, water, frame, wind, speeds):
+def _drop(x, y, times, count, slack, piece, water, frame, wind, speeds, pauses):
     """Leave out waypoints where sailing straight on costs at most ``slack`` seconds; give their count."""
     k = 1
     while k < count - 1:
-        there = sail_rhumb(times[k], x[k], y[k], x[k + 1], y[k + 1], piece, wind, speeds)
-        straight = sail_rhumb(times[k - 1], x[k - 1], y[k - 1], x[k + 1], y[k + 1], piece, wind, speeds)
+        _, _, there = _through(x, y, times[k - 1], k, x[k], y[k], count, np.inf, piece, wind, speeds, pauses)
+        then, straight = _straight(x, y, times[k - 1], k, count, piece, wind, speeds, pauses)
         if straight <= there + slack and _free(
-            water, frame, x[k - 1], y[k - 1], times[k - 1], x[k + 1], y[k + 1], straight
+            water, frame, x[k - 1], y[k - 1], times[k - 1], x[k + 1], y[k + 1], then
         ):
             for j in range(k, count - 1):
                 x[j], y[j] = x[j + 1], y[j + 1]
             count -= 1
         else:
             k += 1
-            times[k - 1] = sail_rhumb(
-                times[k - 2], x[k - 2], y[k - 2], x[k - 1], y[k - 1], piece, wind, speeds
-            )
+            retime(x, y, times, k, k - 1, piece, wind, speeds, pauses)
     return count
 
 
@@ -104,7 +153,7 @@ def _split(x, y, count, longest, most):
 
 
 @kernel
-def relax(x, y, departure, steps, rounds, longest, slack, piece, water, frame, wind, speeds):
+def relax(x, y, departure, steps, rounds, longest, slack, piece, water, frame, wind, speeds, pauses):
     """Relax a line of waypoints continuously, with steps from coarse to fine, without touching land.
 
     Parameters
@@ -119,6 +168,8 @@ def relax(x, y, departure, steps, rounds, longest, slack, piece, water, frame, w
         ``(k,)`` for each step: legs longer than this [m of the plane] are split before they are moved.
     slack
         Seconds that dropping a waypoint may cost.
+    pauses
+        Seconds that turning costs, see `seacruise.routing._turning`.
 
     Returns
     -------
@@ -130,23 +181,23 @@ def relax(x, y, departure, steps, rounds, longest, slack, piece, water, frame, w
     count = x.size
     px[:count], py[:count] = x, y
     times[0] = departure
-    _retime(px, py, times, count, 1, piece, wind, speeds)
-    count = _drop(px, py, times, count, slack, piece, water, frame, wind, speeds)
+    retime(px, py, times, count, 1, piece, wind, speeds, pauses)
+    count = _drop(px, py, times, count, slack, piece, water, frame, wind, speeds, pauses)
     for stage in range(steps.size):
         step = steps[stage]
         count = _split(px, py, count, longest[stage], most - 1)
-        _retime(px, py, times, count, 1, piece, wind, speeds)
+        retime(px, py, times, count, 1, piece, wind, speeds, pauses)
         for _ in range(rounds):
-            gained = _move(px, py, times, count, step, piece, water, frame, wind, speeds)
+            gained = _move(px, py, times, count, step, piece, water, frame, wind, speeds, pauses)
             if gained < 1.0:
                 break
-        count = _drop(px, py, times, count, slack, piece, water, frame, wind, speeds)
-        _retime(px, py, times, count, 1, piece, wind, speeds)
+        count = _drop(px, py, times, count, slack, piece, water, frame, wind, speeds, pauses)
+        retime(px, py, times, count, 1, piece, wind, speeds, pauses)
     return px[:count].copy(), py[:count].copy()
 
 
 @kernel
-def thin(x, y, departure, allowance, piece, water, frame, wind, speeds):
+def thin(x, y, departure, allowance, piece, water, frame, wind, speeds, pauses):
     """Leave out waypoints, the one that costs least first, until the whole costs ``allowance`` seconds.
 
     Returns
@@ -157,21 +208,21 @@ def thin(x, y, departure, allowance, piece, water, frame, wind, speeds):
     px, py, times = x.copy(), y.copy(), np.empty(x.size)
     count = x.size
     times[0] = departure
-    _retime(px, py, times, count, 1, piece, wind, speeds)
+    retime(px, py, times, count, 1, piece, wind, speeds, pauses)
     latest = times[count - 1] + allowance
     cost = np.empty(x.size)
     stale = np.ones(x.size, dtype=np.bool_)
+    trial_x, trial_y, trial = np.empty(x.size), np.empty(x.size), np.empty(x.size)
     while count > 2:
         best = -1
         for k in range(1, count - 1):
             if stale[k]:
-                straight = sail_rhumb(
-                    times[k - 1], px[k - 1], py[k - 1], px[k + 1], py[k + 1], piece, wind, speeds
+                _, _, there = _through(
+                    px, py, times[k - 1], k, px[k], py[k], count, np.inf, piece, wind, speeds, pauses
                 )
-                cost[k] = straight - times[k + 1]
-                if not _free(
-                    water, frame, px[k - 1], py[k - 1], times[k - 1], px[k + 1], py[k + 1], straight
-                ):
+                then, straight = _straight(px, py, times[k - 1], k, count, piece, wind, speeds, pauses)
+                cost[k] = straight - there
+                if not _free(water, frame, px[k - 1], py[k - 1], times[k - 1], px[k + 1], py[k + 1], then):
                     cost[k] = np.inf
                 stale[k] = False
             if best < 0 or cost[k] < cost[best]:
@@ -179,19 +230,18 @@ def thin(x, y, departure, allowance, piece, water, frame, wind, speeds):
         if not cost[best] < np.inf:
             break
         # The end decides, not the next waypoint: time lost may be won back, or lost twice.
-        t = sail_rhumb(
-            times[best - 1], px[best - 1], py[best - 1], px[best + 1], py[best + 1], piece, wind, speeds
-        )
-        for k in range(best + 2, count):
-            t = sail_rhumb(t, px[k - 1], py[k - 1], px[k], py[k], piece, wind, speeds)
-        if not t <= latest:
+        trial_x[:best], trial_x[best : count - 1] = px[:best], px[best + 1 : count]
+        trial_y[:best], trial_y[best : count - 1] = py[:best], py[best + 1 : count]
+        trial[:best] = times[:best]
+        retime(trial_x, trial_y, trial, count - 1, best, piece, wind, speeds, pauses)
+        if not trial[count - 2] <= latest:
             cost[best] = np.inf
             continue
-        for k in range(best, count - 1):
-            px[k], py[k] = px[k + 1], py[k + 1]
-            cost[k], stale[k] = cost[k + 1], stale[k + 1]
+        cost[best : count - 1] = cost[best + 1 : count].copy()
+        stale[best : count - 1] = stale[best + 1 : count].copy()
         count -= 1
-        stale[best - 1] = True
-        stale[best] = True
-        _retime(px, py, times, count, best, piece, wind, speeds)
+        px[:count], py[:count], times[:count] = trial_x[:count], trial_y[:count], trial[:count]
+        # Turns reach two waypoints back and on.
+        for k in range(max(1, best - 2), min(count - 1, best + 2)):
+            stale[k] = True
     return px[:count].copy(), py[:count].copy()

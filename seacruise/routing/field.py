@@ -168,6 +168,10 @@ class Handling:
         Engine on when she would make less than this under sail [m/s], and what it gives [m/s].
     max_wind
         Never sail in more than this [m/s].
+    limits
+        Gusts and waves in which she does not sail.
+    pauses
+        Seconds that a tack costs, a gybe, and each degree of a turn.
     """
 
     tacking: bool = True
@@ -175,6 +179,8 @@ class Handling:
     motor_below: float | None = None
     motor_speed: float = 0.0
     max_wind: float | None = None
+    limits: SeaLimits = NO_LIMITS
+    pauses: tuple[float, float, float] = (0.0, 0.0, 0.0)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -222,12 +228,23 @@ def handling_in_knots(
     motor_below_kn: float | None,
     motor_speed_kn: float,
     max_wind_kn: float | None,
+    max_gust_kn: float | None = None,
+    max_wave_m: float | None = None,
+    tack_min: float = 0.0,
+    gybe_min: float = 0.0,
+    turn_min_per_10_deg: float = 0.0,
 ) -> Handling:
-    """Make `Handling` of the figures a sailor gives."""
+    """Make `Handling` of the figures a sailor gives; minutes for manoeuvres."""
+
+    def speed(knots: float | None) -> float | None:
+        return None if knots is None else knots * MS_PER_KNOT
+
     return Handling(
         tacking=tacking,
         share=percent / 100.0,
-        motor_below=None if motor_below_kn is None else motor_below_kn * MS_PER_KNOT,
+        motor_below=speed(motor_below_kn),
         motor_speed=motor_speed_kn * MS_PER_KNOT,
-        max_wind=None if max_wind_kn is None else max_wind_kn * MS_PER_KNOT,
+        max_wind=speed(max_wind_kn),
+        limits=SeaLimits(speed(max_gust_kn), max_wave_m),
+        pauses=(tack_min * 60.0, gybe_min * 60.0, turn_min_per_10_deg * 6.0),
     )

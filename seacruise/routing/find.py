@@ -22,7 +22,15 @@ from seacruise.geodesy import great_circle_m, scale, to_mercator
 from seacruise.progress import Job
 from seacruise.routing import classic, stencil
 from seacruise.routing import lattice as lattices
-from seacruise.routing.field import COARSE_SLICE_S, Handling, SpeedTable, WindField, speed_table, wind_field
+from seacruise.routing.field import (
+    COARSE_SLICE_S,
+    FINE_SLICE_S,
+    Handling,
+    SpeedTable,
+    WindField,
+    speed_table,
+    wind_field,
+)
 from seacruise.routing.lattice import Area, Lattice, Levels
 from seacruise.routing.refine import PIECE_M as REFINED_PIECE_M
 from seacruise.routing.refine import Line, Waters, refine, timed
@@ -30,7 +38,7 @@ from seacruise.routing.search import PIECE_M, connected, search
 from seacruise.sea import Sea
 from seacruise.sea.zones import NO_ZONES, Zones
 from seacruise.units import METRES_PER_NM, MS_PER_KNOT
-from seacruise.weather.wind import Wind
+from seacruise.weather.wind import Current, Wind
 from seacruise.yacht.polar import Polar
 
 Array = NDArray[np.float64]
@@ -131,6 +139,17 @@ class Question:
     end: Position
     departure: float
     zones: Zones = NO_ZONES
+    current: Current | None = None
+
+    def winds(self, slice_s: float) -> WindField:
+        """Cut wind, current and limits into slices of time, from the departure on."""
+        return wind_field(
+            self.wind,
+            slice_s=slice_s,
+            since=self.departure,
+            current=self.current,
+            limits=self.how.handling.limits,
+        )
 
     @property
     def direct_m(self) -> float:
@@ -151,11 +170,21 @@ class Question:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Fastest:
-    """The line found, the lattice it was found on, and the speeds that bounds need."""
+    """The line found, the lattice it was found on, and what else is needed to sail and to bound it.
+
+    Attributes
+    ----------
+    speeds, field
+        What bounds are reckoned with: the hull of the polar, wind and current.
+    boards_found
+        Whether tacks and gybes are in the line already, because they were searched with what they cost.
+    """
 
     line: Line
     lattice: Lattice
     speeds: SpeedTable
+    field: WindField
+    boards_found: bool = False
 
 
 class Finder:
@@ -173,9 +202,9 @@ class Finder:
         NoPassageError
             With the reason: ``no-water-path``, ``becalmed``, ``wind-limit`` or ``dead-angle``.
         """
-        speeds = self._speed_table(asked.polar, asked.how.handling)
-        coarse = wind_field(asked.wind, slice_s=COARSE_SLICE_S, since=asked.departure)
-        fine = wind_field(asked.wind, since=asked.departure)
+        handling = asked.how.handling
+        speeds = self._speed_table(asked.polar, handling)
+        coarse, fine = asked.winds(COARSE_SLICE_S), asked.winds(FINE_SLICE_S)
         waters = Waters(asked.sea, fine, speeds, asked.zones)
         ledger.lap("wind")
         if asked.how.preset == "classic":
@@ -185,13 +214,20 @@ class Finder:
         if line is None:
             raise _why_not(asked, grid, coarse)
         job.check()
+        turned = None
+        if any(handling.pauses) and asked.how.preset == "precise":
+            as_she_sails = speed_table(asked.polar, replace(handling, tacking=False))
+            waters = replace(waters, pauses=handling.pauses)
+            turned = _turning(replace(waters, speeds=as_she_sails), grid, asked.departure, job, ledger)
+        # Where every board would be too short for the lattice she makes good the hull, as without costs.
+        waters, line = turned or (waters, line)
         if asked.how.refine:
             job.report("refine", None, "Refining the passage")
             line, settled = refine(waters, line, job)
             ledger.settled += settled
         ledger.lap("refine")
         ledger.vertices, ledger.edges = grid.vertices, int(grid.target.size)
-        return Fastest(line, grid, speeds)
+        return Fastest(line, grid, speeds, fine, boards_found=turned is not None)
 
     def _speed_table(self, polar: Polar, handling: Handling) -> SpeedTable:
         """Give the table used last, or make another."""
@@ -346,6 +382,18 @@ def _classic(asked: Question, job: Job, ledger: Ledger) -> tuple[Line | None, La
     if path.size == 0:
         return None, grid
     return Line(grid.x[path], grid.y[path], found.arrival[path]), grid
+
+
+def _turning(
+    waters: Waters, grid: Lattice, departure: float, job: Job, ledger: Ledger
+) -> tuple[Waters, Line] | None:
+    """Search again over states (vertex, course), with real boards instead of the hull; `None` for no way."""
+    job.report("search", None, f"Searching {grid.target.size:,} courses at {grid.vertices:,} vertices")
+    path, settled = waters.search(grid, departure)
+    ledger.settled += settled
+    ledger.lap("search")
+    job.check()
+    return (waters, timed(waters, grid.x[path], grid.y[path], departure)) if path.size else None
 
 
 def _why_not(asked: Question, grid: Lattice, wind: WindField) -> NoPassageError:

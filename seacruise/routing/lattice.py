@@ -33,6 +33,9 @@ MOST_EDGES: Final = 60_000_000
 
 SHORE_LEVEL: Final = 3
 
+OFF_SHORE_M: Final = 10.0
+"""Vertices keep about this far off a shoreline [m of the plane]; single precision knows it to 0.1 m."""
+
 _JOINED: Final = 48
 _AT_ONCE: Final = 1_000_000
 
@@ -248,7 +251,7 @@ class _Grower:
         i, j = self._candidates(side, area, level, levels)
         x = self.origin[0] + side * (i + self.mesh.lean * j)
         y = self.origin[1] + side * self.mesh.rise * j
-        wanted = self.sea.is_water_at(x, y)
+        wanted = self._wet(x, y)
         wanted[wanted] = area.holds(x[wanted], y[wanted])
         i, j, x, y = i[wanted], j[wanted], x[wanted], y[wanted]
         numbers = _shared_numbers(above, i, j)
@@ -309,8 +312,10 @@ class _Grower:
         self, side: float, area: Area, level: int, levels: Levels
     ) -> tuple[axial.Whole, axial.Whole]:
         """Positions within reach of the borders of hazards."""
-        low, high = area.bounds()
         lines = levels.hazards_at(level)
+        if not lines.size or not area.lines.size:
+            return np.empty(0, np.int64), np.empty(0, np.int64)
+        low, high = area.bounds()
         reach = float(
             room_m(levels.radius_at(level), side * self.mesh.longest, np.abs([low[1], high[1]])).max()
         )
@@ -319,6 +324,17 @@ class _Grower:
         apart = (east < low[0] - reach) | (west > high[0] + reach)
         apart |= (north < low[1] - reach) | (south > high[1] + reach)
         return self._along(lines[~apart], reach, side)
+
+    def _wet(self, x: Array, y: Array) -> NDArray[np.bool_]:
+        """Which points are water and not so near a shore that rounding could put them on land."""
+        from seacruise.sea import _kernels as k
+
+        wet = self.sea.is_water_at(x, y)
+        close = np.flatnonzero(wet & (self.sea.water.at(x, y) < k.WATER))
+        m, px, py = OFF_SHORE_M, x[close], y[close]
+        wet[close] = self.sea.clear(np.stack([px - m, py - m, px + m, py + m], axis=1))
+        wet[close] &= self.sea.clear(np.stack([px - m, py + m, px + m, py - m], axis=1))
+        return wet
 
     def _near_shore(self, i: axial.Whole, j: axial.Whole, side: float, radius: float) -> NDArray[np.bool_]:
         """Which positions are within reach of a shore; see `_points.water_points`, which tells the same."""

@@ -20,6 +20,7 @@ from seacruise.routing import stencil
 from seacruise.routing.field import SpeedTable, WindField
 from seacruise.routing.lattice import Area, Lattice, Levels
 from seacruise.routing.search import search
+from seacruise.routing.turning import NO_PAUSES, Pauses, search_turning
 from seacruise.sea import Sea
 from seacruise.sea.zones import NO_ZONES, Zones
 from seacruise.units import METRES_PER_NM
@@ -68,6 +69,7 @@ class Waters:
     field: WindField
     speeds: SpeedTable
     zones: Zones = NO_ZONES
+    pauses: Pauses = NO_PAUSES
 
     @property
     def frame(self) -> tuple[float, float, float]:
@@ -79,6 +81,21 @@ class Waters:
         """Land and zones, as the kernels that move waypoints want them."""
         return self.sea.water.arrays, self.zones.arrays
 
+    def search(self, lattice: Lattice, departure: float, **how: Any) -> tuple[NDArray[np.int64], int]:
+        """Search a lattice, turns paid for where they cost something.
+
+        Returns
+        -------
+        path, settled
+            Vertices from start to end, none where there is no way, and a count.
+        """
+        if any(self.pauses):
+            return search_turning(
+                lattice, self.field, self.speeds, departure, self.pauses, zones=self.zones, **how
+            )
+        found = search(lattice, self.field, self.speeds, departure, zones=self.zones, **how)
+        return found.path(lattice.end), found.settled
+
     def forbid(self, line: Line) -> bool:
         """Tell whether a line enters a zone while it is valid."""
         legs = np.stack([line.x[:-1], line.y[:-1], line.x[1:], line.y[1:]], axis=1)
@@ -87,9 +104,11 @@ class Waters:
 
 def timed(waters: Waters, x: Array, y: Array, departure: float) -> Line:
     """Sail a line with the search's own integrator."""
-    from seacruise.routing import _kernels as k
+    from seacruise.routing import _relax
 
-    times = k.sail_legs(departure, x, y, PIECE_M, waters.field.arrays, waters.speeds.arrays)
+    times = np.empty(x.size)
+    times[0] = departure
+    _relax.retime(x, y, times, x.size, 1, PIECE_M, waters.field.arrays, waters.speeds.arrays, waters.pauses)
     return Line(x, y, times)
 
 
@@ -114,6 +133,7 @@ def relaxed(waters: Waters, line: Line, *, split: bool = True) -> Line:
         waters.frame,
         waters.field.arrays,
         waters.speeds.arrays,
+        waters.pauses,
     )
     after = timed(waters, x, y, float(line.times[0]))
     # A leg sailed earlier than it was judged may meet a zone that is not open yet.
@@ -134,6 +154,7 @@ def simplified(waters: Waters, line: Line, *, share: float = SIMPLIFY) -> Line:
         waters.frame,
         waters.field.arrays,
         waters.speeds.arrays,
+        waters.pauses,
     )
     after = timed(waters, x, y, float(line.times[0]))
     return line if waters.forbid(after) else after
@@ -164,11 +185,10 @@ def in_corridor(
         levels=levels,
         shore_offsets=stencil.triangular(min(courses, SHORE_COURSES)),
     )
-    found = search(lattice, waters.field, waters.speeds, float(line.times[0]), zones=waters.zones)
-    path = found.path(lattice.end)
+    path, settled = waters.search(lattice, float(line.times[0]))
     if path.size == 0:
-        return None, lattice, found.settled
-    return timed(waters, lattice.x[path], lattice.y[path], float(line.times[0])), lattice, found.settled
+        return None, lattice, settled
+    return timed(waters, lattice.x[path], lattice.y[path], float(line.times[0])), lattice, settled
 
 
 def refine(waters: Waters, first: Line, job: Job) -> tuple[Line, int]:

@@ -76,14 +76,7 @@ def search(
     """
     from seacruise.routing import _kernels as k
 
-    ahead = np.zeros(lattice.vertices)
-    if to_end:
-        fastest = field.fastest(speeds)
-        if fastest > 0.0:
-            ahead = (
-                chord_m(lattice.lat, lattice.lon, lattice.lat[lattice.end], lattice.lon[lattice.end])
-                / fastest
-            )
+    ahead = bound_ahead(lattice, field, speeds) if to_end else np.zeros(lattice.vertices)
     if hopeless is not None:
         ahead[hopeless] = np.inf
     return Found(
@@ -101,6 +94,15 @@ def search(
             zones.arrays,
         )
     )
+
+
+def bound_ahead(lattice: Lattice, field: WindField, speeds: SpeedTable) -> NDArray[np.float64]:
+    """Least time [s] from each vertex to the end, ``(n,)``: straight there at the best speed of all."""
+    fastest = field.fastest(speeds)
+    if fastest <= 0.0:
+        return np.zeros(lattice.vertices)
+    end = lattice.lat[lattice.end], lattice.lon[lattice.end]
+    return np.asarray(chord_m(lattice.lat, lattice.lon, *end) / fastest)
 
 
 def connected(lattice: Lattice) -> bool:

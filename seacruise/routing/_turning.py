@@ -1,0 +1,183 @@
+"""Compiled search on states (vertex, course by which it was reached): turning costs time.
+
+A state is an edge: who arrived by it arrived on its course. Names as in `seacruise.routing._kernels`, and
+``pauses``: seconds for a tack, for a gybe, and for each degree of a turn (R3's penalty).
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from seacruise.compiled import inlined, kernel
+from seacruise.routing._kernels import _sift_down, _sift_up, sail_edge, wind_at
+from seacruise.sea._prisms import closed
+
+
+@kernel
+def pause_of(east0, north0, east1, north1, u, v, pauses):
+    """Seconds that turning from one course to another takes; courses as direction cosines."""
+    tack, gybe, per_degree = pauses
+    seconds = 0.0
+    if per_degree > 0.0:
+        cosine = min(max(east0 * east1 + north0 * north1, -1.0), 1.0)
+        seconds += per_degree * np.degrees(np.arccos(cosine))
+    # The side the wind comes from is the sign of its part across the course.
+    across0, across1 = north0 * u - east0 * v, north1 * u - east1 * v
+    if across0 * across1 < 0.0:
+        before = np.arctan2(abs(across0), -(east0 * u + north0 * v))
+        after = np.arctan2(abs(across1), -(east1 * u + north1 * v))
+        seconds += tack if before + after < np.pi else gybe
+    return seconds
+
+
+@inlined
+def longest_pause(pauses):
+    """Seconds of the costliest turn there is."""
+    return max(pauses[0], pauses[1]) + 180.0 * pauses[2]
+
+
+@kernel
+def search_turning(start, end, departure, ahead, points, edges, source, piece, wind, speeds, zones, pauses):
+    """Time-dependent A* over edges, each turn between two of them paid for.
+
+    A state is settled unless another one at its vertex is earlier by the costliest turn there is: whatever
+    comes next, that one can turn and be there first.
+
+    Parameters
+    ----------
+    source
+        ``(m,)`` vertex from which each edge leads.
+
+    Returns
+    -------
+    arrival, before, last, settled, relaxed
+        ``(m,)`` arrival at the end of each edge [s], ``(m,)`` the edge sailed before it (-1), the edge by
+        which the end is reached (-1 if it is not), and counts.
+    """
+    first, target = edges
+    m = target.size
+    x, y, lat, lon, _ = points
+    arrival = np.full(m, np.inf)
+    keys = np.full(m, np.inf)
+    before = np.full(m, -1, dtype=np.int32)
+    heap = np.empty(m, dtype=np.int32)
+    place = np.full(m, -1, dtype=np.int32)
+    done = np.zeros(m, dtype=np.bool_)
+    best = np.full(first.size - 1, np.inf)
+    best[start] = departure
+    most = longest_pause(pauses)
+    zoned = zones[0].size > 1
+    size = 0
+    settled = relaxed = 0
+    last = -1
+    e = -1
+    while True:
+        t = departure
+        a = start
+        east = north = u = v = 0.0
+        if e >= 0:
+            t = arrival[e]
+            a = target[e]
+            dx, dy = x[a] - x[source[e]], y[a] - y[source[e]]
+            span = max(np.sqrt(dx * dx + dy * dy), 1e-9)
+            east, north = dx / span, dy / span
+            u, v = wind_at(t, lat[a], lon[a], wind)
+        for f in range(first[a], first[a + 1]):
+            if done[f]:
+                continue
+            b = target[f]
+            leave = t
+            if e >= 0:
+                dx, dy = x[b] - x[a], y[b] - y[a]
+                span = max(np.sqrt(dx * dx + dy * dy), 1e-9)
+                leave = t + pause_of(east, north, dx / span, dy / span, u, v, pauses)
+            if leave >= arrival[f]:
+                continue
+            relaxed += 1
+            then = sail_edge(leave, a, b, points, piece, wind, speeds)
+            if then < arrival[f] and then < best[b] + most:
+                if zoned and closed(zones, x[a], y[a], leave, x[b], y[b], then):
+                    continue
+                if place[f] < 0:
+                    heap[size] = f
+                    place[f] = size
+                    size += 1
+                arrival[f] = then
+                before[f] = e
+                keys[f] = then + ahead[b]
+                _sift_up(heap, keys, place, place[f])
+        e = -1
+        while size > 0 and e < 0:
+            e = heap[0]
+            size -= 1
+            if size > 0:
+                heap[0] = heap[size]
+                _sift_down(heap, keys, place, size)
+            done[e] = True
+            if arrival[e] >= best[target[e]] + most and arrival[e] > best[target[e]]:
+                e = -1
+        if e < 0:
+            break
+        settled += 1
+        best[target[e]] = min(best[target[e]], arrival[e])
+        if target[e] == end:
+            last = e
+            break
+    return arrival, before, last, settled, relaxed
+
+
+@kernel
+def fewest_changes(start, end, departure, most, order, points, edges, course, piece, wind, speeds):
+    """Earliest arrivals with at most 0, 1, 2 ... ``most`` changes of course.
+
+    With a number of changes given, the next edge either keeps the course, or leaves a vertex reached with
+    one change less on any course. Edges of a course only lead onwards along it, so one sweep in that order
+    settles all of them: no queue is needed.
+
+    Parameters
+    ----------
+    order
+        ``(c, n)`` for each course, the vertices in the order in which one sails over them.
+    course
+        ``(m,)`` number of each edge's course.
+
+    Returns
+    -------
+    arrival, before
+        ``(most + 1, m)`` arrival [s] at the end of each edge, and the state before it: its changes times m
+        plus its edge, -1 at the start.
+    """
+    first, target = edges
+    n, m = first.size - 1, target.size
+    arrival = np.full((most + 1, m), np.inf)
+    before = np.full((most + 1, m), -1, dtype=np.int64)
+    # Earliest arrival at each vertex with one change less, and the state by which.
+    reached = np.full(n, np.inf)
+    by = np.full(n, -1, dtype=np.int64)
+    reached[start] = departure
+    for w in range(most + 1):
+        best = reached.copy()
+        best_by = by.copy()
+        for c in range(order.shape[0]):
+            on_course = np.full(n, np.inf)
+            on_course_by = np.full(n, -1, dtype=np.int64)
+            for a in order[c]:
+                t, e = on_course[a], on_course_by[a]
+                if reached[a] < t:
+                    t, e = reached[a], by[a]
+                if t == np.inf or a == end:
+                    continue
+                for f in range(first[a], first[a + 1]):
+                    if course[f] != c:
+                        continue
+                    b = target[f]
+                    then = sail_edge(t, a, b, points, piece, wind, speeds)
+                    if then < arrival[w, f]:
+                        arrival[w, f] = then
+                        before[w, f] = e
+                        if then < on_course[b]:
+                            on_course[b], on_course_by[b] = then, w * m + f
+                        if then < best[b]:
+                            best[b], best_by[b] = then, w * m + f
+        reached, by = best, best_by
+    return arrival, before
