@@ -32,6 +32,9 @@ STEP_S: Final = 360.0
 LAND_STEP_M: Final = 0.05 * METRES_PER_NM
 """Distance of the positions that are held against the coast [m]."""
 
+SHORTEST_STEP_S: Final = 360.0 / 16
+"""Where her speed changes by more than a tenth in a step, it is halved down to this [s]."""
+
 MOST_S: Final = 30 * 86_400.0
 """A leg that takes longer has no end: she is becalmed [s]."""
 
@@ -46,6 +49,14 @@ class Resailed:
 
     Attributes
     ----------
+    speed, sog
+        Through the water and over ground [m/s].
+    heading_deg
+        Course steered, which is the course made good but for the current.
+    current
+        ``(n, 2)`` eastward and northward [m/s].
+    pause_s
+        Seconds that manoeuvres took.
     arrived
         ``False`` when she was becalmed for good, or met more wind than allowed on a leg.
     at
@@ -57,6 +68,9 @@ class Resailed:
     lon: Array
     course_deg: Array
     speed: Array
+    sog: Array
+    heading_deg: Array
+    current: Array
     tws: Array
     twd_deg: Array
     motor: NDArray[np.bool_]
@@ -68,6 +82,7 @@ class Resailed:
     within_limits: bool
     fuel_l: float
     motor_s: float
+    pause_s: float
 
     def mixed(self, polar: Polar) -> NDArray[np.bool_]:
         """Tell of each leg whether the hull of the polar is faster on it than the polar anywhere."""
@@ -87,7 +102,9 @@ def resail(asked: Question, course: Course, *, fuel_rate_l_h: float) -> Resailed
     hull = course.short_tacked & handling.tacking
     straight = _table(asked, hull=False)
     engine = (-1.0, 0.0) if handling.motor_below is None else (handling.motor_below, handling.motor_speed)
-    rows, at, arrived = _resail.sail_legs(
+    water = asked.current
+    still = (wind.time[:0], wind.lat, wind.lon, wind.u[:0], wind.v[:0])
+    rows, at, arrived, paused = _resail.sail_legs(
         asked.departure,
         lat,
         lon,
@@ -95,19 +112,24 @@ def resail(asked: Question, course: Course, *, fuel_rate_l_h: float) -> Resailed
         rhumb_distance_m(lat[:-1], lon[:-1], lat[1:], lon[1:]),
         hull,
         (wind.time, wind.lat, wind.lon, wind.u, wind.v),
+        still if water is None else (water.time, water.lat, water.lon, water.u, water.v),
         (straight, _table(asked, hull=True) if hull.any() else straight),
         engine,
+        handling.pauses,
         STEP_S,
+        SHORTEST_STEP_S,
         MOST_S,
     )
     motor_s = float((np.diff(rows[:, 0]) * rows[:-1, 7]).sum())
-    limit = handling.max_wind
     return Resailed(
         time=rows[:, 0],
         lat=rows[:, 1],
         lon=rows[:, 2],
         course_deg=rows[:, 3],
         speed=rows[:, 4],
+        sog=rows[:, 9],
+        heading_deg=rows[:, 10],
+        current=rows[:, 11:13],
         tws=rows[:, 5],
         twd_deg=rows[:, 6],
         motor=rows[:, 7] > 0.5,
@@ -116,17 +138,32 @@ def resail(asked: Question, course: Course, *, fuel_rate_l_h: float) -> Resailed
         arrived=arrived,
         land_free=is_land_free(course, asked.sea),
         zones_entered=asked.zones.entered(rows[:, 1], rows[:, 2], rows[:, 0]) if asked.zones else (),
-        # Between two looks a gust of the grid may exceed what the search saw, by rounding only.
-        within_limits=limit is None or bool(rows[:, 5].max() <= limit * 1.005),
+        within_limits=_within_limits(asked, rows),
         fuel_l=motor_s / SECONDS_PER_HOUR * fuel_rate_l_h,
         motor_s=motor_s,
+        pause_s=float(paused),
     )
+
+
+def _within_limits(asked: Question, rows: Array) -> bool:
+    """Hold every sample against the limits of wind, gusts and waves, on the forecast's own grid."""
+    handling, wind = asked.how.handling, asked.wind
+    # Between two looks a gust of the grid may exceed what the search saw, by rounding only.
+    kept = handling.max_wind is None or bool(rows[:, 5].max() <= handling.max_wind * 1.005)
+    limits = handling.limits
+    for grid, limit in ((wind.gust, limits.max_gust), (wind.wave, limits.max_wave)):
+        if grid is not None and limit is not None:
+            met = wind.interpolate(grid, rows[:, 0], rows[:, 1], rows[:, 2])
+            kept = kept and bool(met.max() <= limit * 1.005)
+    return kept
 
 
 def _table(asked: Question, *, hull: bool) -> tuple[Array, float, float]:
     """Boat speed by TWS and TWA, evenly tabulated up to the strongest wind of the forecast."""
     wind = asked.wind
     strongest = math.sqrt(float((wind.u.astype(np.float64) ** 2 + wind.v.astype(np.float64) ** 2).max()))
+    if asked.current is not None:
+        strongest += float(np.hypot(asked.current.u, asked.current.v).max())
     tws = np.arange(math.ceil(strongest * PER_TWS) + 2) / PER_TWS
     twa = np.linspace(0.0, 180.0, int(180 * PER_TWA) + 1)
     if hull:

@@ -136,6 +136,12 @@ class Flow:
         u, v = self._interpolated((self.u, self.v), time, lat, lon)
         return u, v
 
+    def interpolate(
+        self, grid: NDArray[np.float32], time: ArrayLike, lat: ArrayLike, lon: ArrayLike
+    ) -> Array:
+        """Values of a further grid ``(t, y, x)`` on these axes, such as gusts, as `at` does it."""
+        return self._interpolated((grid,), time, lat, lon)[0]
+
     def _interpolated(
         self, grids: Sequence[NDArray[np.float32]], time: ArrayLike, lat: ArrayLike, lon: ArrayLike
     ) -> list[Array]:
