@@ -16,7 +16,7 @@ from seacruise.sea.zones import NO_ZONES, Zones
 from seacruise.units import SECONDS_PER_HOUR
 
 if TYPE_CHECKING:
-    from seacruise.weather.wind import Forecast, Wind
+    from seacruise.weather.wind import Current, Forecast, Wind
     from seacruise.yacht.polar import Polar
 
 SCHEMA = "seacruise.passage/1"
@@ -47,8 +47,21 @@ class Options:
         Start the engine when she would sail slower than this [kn], and the speed it gives [kn].
     fuel_rate_l_h
         Consumption under engine [l/h].
-    max_wind_kn
-        Never sail an edge on which the true wind exceeds this [kn].
+    max_wind_kn, max_gust_kn, max_wave_m
+        Never sail an edge on which the true wind exceeds this [kn], nor, where the forecast has them, its
+        gusts [kn] or the significant height of its waves [m].
+    shore_clearance_nm
+        Keep this far off every shore [nm], but on the way out of and into the ports.
+    tack_penalty_min, gybe_penalty_min
+        What a tack and a gybe cost [min]; boards are then searched, not put in afterwards.
+    turn_penalty
+        R3's penalty: minutes for each 10 degrees by which the course changes.
+    board_h
+        In open water she goes about this often on a beat or run [h]; ``None`` for every hour and a half.
+    most_turns
+        Tacks and gybes the crew wants to make at the most; boards get longer where the water allows it.
+    may_wait_h
+        She may leave up to this much later [h] where that brings her there earlier or at all.
     """
 
     preset: Preset = "precise"
@@ -62,6 +75,20 @@ class Options:
     motor_speed_kn: float = 5.0
     fuel_rate_l_h: float = 2.5
     max_wind_kn: float | None = None
+    max_gust_kn: float | None = None
+    max_wave_m: float | None = None
+    shore_clearance_nm: float | None = None
+    tack_penalty_min: float = 0.0
+    gybe_penalty_min: float = 0.0
+    turn_penalty: float = 0.0
+    board_h: float | None = None
+    most_turns: int | None = None
+    may_wait_h: float = 0.0
+
+    @property
+    def turning_costs(self) -> bool:
+        """Whether any manoeuvre costs time."""
+        return self.tack_penalty_min + self.gybe_penalty_min + self.turn_penalty > 0.0
 
 
 def check_options(options: Options) -> None:
@@ -74,6 +101,14 @@ def check_options(options: Options) -> None:
     within(options.percent_of_polar, 10.0, 200.0, "A percentage of the polar")
     within(options.spacing_nm, 0.05, 100.0, "A spacing [nm]")
     within(options.max_wind_kn, 1.0, 200.0, "A wind limit [kn]")
+    within(options.max_gust_kn, 1.0, 200.0, "A limit of gusts [kn]")
+    within(options.max_wave_m, 0.1, 30.0, "A limit of the wave height [m]")
+    within(options.shore_clearance_nm, 0.1, 20.0, "A distance from the shore [nm]")
+    within(options.tack_penalty_min, 0.0, 120.0, "The cost of a tack [min]")
+    within(options.gybe_penalty_min, 0.0, 120.0, "The cost of a gybe [min]")
+    within(options.turn_penalty, 0.0, 60.0, "A penalty for turning [min for 10 degrees]")
+    within(options.board_h, 0.1, 24.0, "A length of boards [h]")
+    within(options.may_wait_h, 0.0, 240.0, "A time to wait [h]")
     within(options.motor_below_kn, 0.0, 50.0, "A boat speed [kn] to start the engine below")
     within(options.motor_speed_kn, 0.1, 50.0, "A speed under engine [kn]")
     within(options.fuel_rate_l_h, 0.0, 1000.0, "A fuel rate [l/h]")
@@ -82,6 +117,8 @@ def check_options(options: Options) -> None:
         raise InputError(f"A lattice cannot have {options.directions} directions; choose one of {choice}.")
     if options.preset == "classic" and options.directions not in {None, 12}:
         raise InputError("The classic preset has 12 directions; choose --preset precise for more.")
+    if options.preset == "classic" and options.turning_costs:
+        raise InputError("The classic preset knows no cost of manoeuvres; choose --preset precise for them.")
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,6 +131,8 @@ class PassageRequest:
         Timezone-aware; ``None`` means the next full hour that the forecast covers.
     zones
         Areas to keep out of, see `seacruise.sea.zones`.
+    current
+        How the water moves; ``None`` for the current that came with the wind, if there is one.
     """
 
     start: Port
@@ -103,6 +142,7 @@ class PassageRequest:
     departure: datetime | None = None
     options: Options = field(default_factory=Options)
     zones: Zones = NO_ZONES
+    current: Current | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -134,7 +174,13 @@ class Waypoint:
     time
         Timezone-aware UTC.
     course_deg
-        Degrees true.
+        Course made good over ground, degrees true.
+    boat_speed_kn, sog_kn
+        Mean speed of the leg through the water and over ground [kn].
+    steer_deg
+        Course to steer at the begin of the leg, degrees true: the course made good but for the current.
+    current_kn, current_to_deg
+        Current at the begin of the leg and where it sets to; ``None`` where none was given.
     twa_deg
         True wind angle at the begin of the leg, folded to 0-180; ``tack`` names the side.
     tack
@@ -153,6 +199,10 @@ class Waypoint:
     twa_deg: float | None = None
     motor: bool | None = None
     tack: Tack | None = None
+    sog_kn: float | None = None
+    steer_deg: float | None = None
+    current_kn: float | None = None
+    current_to_deg: float | None = None
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -206,8 +256,8 @@ class Passage:
     """The answer: a passage that was sailed again, leg by leg, before anyone is shown it.
 
     Times are UTC. ``notices`` are sentences a sailor must read with it (snapped ports, held wind,
-    practice weather); ``lattice_edges`` are the edges searched first, ``(n, 4)`` as lat1, lon1, lat2,
-    lon2, for drawing.
+    practice weather); ``manoeuvre_h`` is the part of the duration that turning took; ``lattice_edges``
+    are the edges searched first, ``(n, 4)`` as lat1, lon1, lat2, lon2, for drawing.
     """
 
     start: Place
@@ -231,6 +281,7 @@ class Passage:
     search: SearchReport
     track: Track
     notices: tuple[str, ...] = ()
+    manoeuvre_h: float = 0.0
     lattice_edges: NDArray[np.float32] | None = field(default=None, repr=False, compare=False)
 
     @property

@@ -5,17 +5,16 @@
 
 from __future__ import annotations
 
-import math
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from datetime import UTC, datetime, timedelta
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
+from seacruise.answer import Answer
 from seacruise.between import sea_between
 from seacruise.errors import InputError, NoPassageError
-from seacruise.geodesy import angle_between_deg, format_position, great_circle_m
+from seacruise.geodesy import format_position, great_circle_m
 from seacruise.model import (
     SCHEMA,
     Checks,
@@ -25,7 +24,6 @@ from seacruise.model import (
     Place,
     Preset,
     SearchReport,
-    Tack,
     Track,
     Waypoint,
     check_options,
@@ -33,12 +31,11 @@ from seacruise.model import (
 from seacruise.ports import Port
 from seacruise.progress import Job
 from seacruise.settings import Settings
-from seacruise.units import METRES_PER_NM, MS_PER_KNOT, SECONDS_PER_HOUR
+from seacruise.units import METRES_PER_NM, SECONDS_PER_HOUR
 
 if TYPE_CHECKING:
     from seacruise.routing.find import Fastest, Finder, How, Ledger, Question
     from seacruise.routing.manoeuvres import Course
-    from seacruise.routing.refine import Line
     from seacruise.routing.resail import Resailed
     from seacruise.sea import Sea, Snap
     from seacruise.weather.wind import Wind
@@ -60,9 +57,6 @@ __all__ = [
 
 SAME_PLACE_NM = 0.1
 """Two ends nearer than this are the same port [nm]."""
-
-TELL_SNAP_NM = 0.1
-"""A port moved farther than this to reach water is worth a sentence [nm]."""
 
 LIMIT_SHARES = (1.0, 0.97, 0.94, 0.9)
 """Shares of a wind limit with which to search, until the passage keeps it when sailed again."""
@@ -94,7 +88,7 @@ def plan(request: PassageRequest, *, settings: Settings, job: Job = NOBODY) -> P
     CancelledError
         The job was cancelled.
     """
-    from seacruise.routing.find import Ledger, Question
+    from seacruise.routing.find import Ledger
 
     ledger = Ledger()
     check_options(request.options)
@@ -104,8 +98,26 @@ def plan(request: PassageRequest, *, settings: Settings, job: Job = NOBODY) -> P
     job.check()
     ledger.lap("sea")
     check_cover(request.wind, request.start, request.end)
+    asked = question_of(request, sea, ends, departure)
+    _check_zones(asked, request)
+    asked = _after_waiting(asked, request.options.may_wait_h, job, ledger)
+    answer = Answer(
+        request, ends, departure, asked, *_find_within_limits(asked, request.options, job, ledger)
+    )
+    job.check()
+    return answer.passage(ledger)
+
+
+def question_of(
+    request: PassageRequest, sea: Sea, ends: tuple[Place, Place], departure: datetime
+) -> Question:
+    """Put a request into the router's words."""
+    from seacruise.routing.find import Question
+
     start, end = ((place.lat, place.lon) for place in ends)
-    asked = Question(
+    if request.options.shore_clearance_nm is not None:
+        sea = sea.keeping_off(request.options.shore_clearance_nm * METRES_PER_NM, (start, end))
+    return Question(
         sea,
         request.wind,
         request.yacht,
@@ -114,32 +126,61 @@ def plan(request: PassageRequest, *, settings: Settings, job: Job = NOBODY) -> P
         end,
         departure.timestamp(),
         request.zones,
+        request.current or request.wind.current,
     )
-    _check_zones(asked, request)
-    found, course, sailed = _find_within_limits(asked, request.options.fuel_rate_l_h, job, ledger)
-    job.check()
-    return _Answer(request, ends, departure, found, course, sailed).passage(ledger)
+
+
+def _after_waiting(asked: Question, may_wait_h: float, job: Job, ledger: Ledger) -> Question:
+    """Leave later, hour by hour, where that brings her there earlier, or at all.
+
+    Waiting never helps against the wind alone: who leaves later arrives later. It helps where a limit or a
+    zone that is open later forbids the way.
+    """
+    from seacruise.routing.field import NO_LIMITS
+
+    limited = asked.how.handling.max_wind is not None or asked.how.handling.limits != NO_LIMITS
+    if may_wait_h <= 0.0 or not (limited or asked.zones):
+        return asked
+    reason: NoPassageError | None = None
+    best: tuple[float, Question] | None = None
+    for hours in range(int(may_wait_h) + 1):
+        job.check()
+        later = replace(asked, departure=asked.departure + hours * SECONDS_PER_HOUR)
+        try:
+            line = the_finder().fastest(first_look(later), job=job, ledger=ledger).line
+        except NoPassageError as error:
+            reason = reason or error
+            continue
+        if best is None or float(line.times[-1]) < best[0]:
+            best = float(line.times[-1]), later
+    if best is None:
+        assert reason is not None
+        raise reason
+    return best[1]
+
+
+def first_look(asked: Question) -> Question:
+    """Ask for the first search only, without refinement and without what turning costs."""
+    handling = replace(asked.how.handling, pauses=(0.0, 0.0, 0.0))
+    return replace(asked, how=replace(asked.how, refine=False, handling=handling))
 
 
 def _find_within_limits(
-    asked: Question, fuel_rate_l_h: float, job: Job, ledger: Ledger
+    asked: Question, options: Options, job: Job, ledger: Ledger
 ) -> tuple[Fastest, Course, Resailed]:
-    """Find a passage and sail it again; where that meets more wind than allowed, search with less."""
-    limit = asked.how.handling.max_wind
+    """Find a passage and sail it again; where that breaks a limit, search with less."""
+    handling = asked.how.handling
     for share in LIMIT_SHARES:
-        sought = asked
-        if limit is not None:
-            handling = replace(asked.how.handling, max_wind=limit * share)
-            sought = replace(asked, how=replace(asked.how, handling=handling))
+        sought = replace(asked, how=replace(asked.how, handling=handling.within(share)))
         found = the_finder().fastest(sought, job=job, ledger=ledger)
         job.check()
         job.report("check", None, "Sailing the passage again")
-        course, sailed = _sail_again(asked, found.line, fuel_rate_l_h)
+        course, sailed = _sail_again(asked, found, options)
         if sailed.within_limits:
             return found, course, sailed
     raise NoPassageError(
-        f"The wind comes too close to the {(limit or 0.0) / MS_PER_KNOT:.0f} kn you allow on every way that "
-        "was found; leave at another time or raise the limit.",
+        "Wind, gusts or waves come too close to what you allow on every way that was found; leave "
+        "at another time or raise the limit.",
         reason="wind-limit",
     )
 
@@ -225,6 +266,7 @@ def how_of(options: Options) -> How:
     """Put options into the router's words."""
     from seacruise.routing.field import handling_in_knots
     from seacruise.routing.find import How
+    from seacruise.routing.manoeuvres import USUAL, Boards
 
     is_classic = options.preset == "classic"
     return How(
@@ -239,11 +281,17 @@ def how_of(options: Options) -> How:
             motor_below_kn=options.motor_below_kn,
             motor_speed_kn=options.motor_speed_kn,
             max_wind_kn=options.max_wind_kn,
+            max_gust_kn=options.max_gust_kn,
+            max_wave_m=options.max_wave_m,
+            tack_min=options.tack_penalty_min,
+            gybe_min=options.gybe_penalty_min,
+            turn_min_per_10_deg=options.turn_penalty,
         ),
+        boards=USUAL if options.board_h is None else Boards(usual_s=options.board_h * SECONDS_PER_HOUR),
     )
 
 
-def _sail_again(asked: Question, line: Line, fuel_rate_l_h: float) -> tuple[Course, Resailed]:
+def _sail_again(asked: Question, found: Fastest, options: Options) -> tuple[Course, Resailed]:
     """Put in the tacks and sail the passage by independent code.
 
     Without tacking a leg found possible hour by hour may still lead through the dead angle between two
@@ -252,17 +300,23 @@ def _sail_again(asked: Question, line: Line, fuel_rate_l_h: float) -> tuple[Cour
     from seacruise.routing.manoeuvres import merge_straight, sail_boards, straight_legs
     from seacruise.routing.resail import resail
 
-    handling = asked.how.handling
-    course = (
-        sail_boards(asked, line)
-        if handling.tacking
-        else merge_straight(straight_legs(line), asked.sea, asked.zones)
-    )
-    sailed = resail(asked, course, fuel_rate_l_h=fuel_rate_l_h)
+    handling, line = asked.how.handling, found.line
+    straight = found.boards_found or not handling.tacking
+    boards = asked.how.boards
+    while True:
+        if straight:
+            course = merge_straight(straight_legs(line), asked.sea, asked.zones)
+        else:
+            course = sail_boards(replace(asked, how=replace(asked.how, boards=boards)), line)
+        sailed = resail(asked, course, fuel_rate_l_h=options.fuel_rate_l_h)
+        enough = options.most_turns is None or sailed.turns <= options.most_turns
+        if straight or enough or boards.usual_s > line.seconds:
+            break
+        boards = replace(boards, usual_s=boards.usual_s * 1.5)
     if not sailed.arrived:
         tacked = replace(asked, how=replace(asked.how, handling=replace(handling, tacking=True)))
         course = replace(course, short_tacked=np.ones_like(course.short_tacked))
-        sailed = resail(tacked, course, fuel_rate_l_h=fuel_rate_l_h)
+        sailed = resail(tacked, course, fuel_rate_l_h=options.fuel_rate_l_h)
         course = replace(course, short_tacked=sailed.mixed(asked.polar))
     if not sailed.arrived:
         raise NoPassageError(
@@ -272,166 +326,3 @@ def _sail_again(asked: Question, line: Line, fuel_rate_l_h: float) -> tuple[Cour
             place=(float(sailed.lat[-1]), float(sailed.lon[-1])),
         )
     return course, sailed
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class _Answer:
-    """What was found and sailed again, on its way to becoming a `Passage`."""
-
-    request: PassageRequest
-    ends: tuple[Place, Place]
-    departure: datetime
-    found: Fastest
-    course: Course
-    sailed: Resailed
-
-    @property
-    def seconds(self) -> float:
-        return float(self.sailed.time[-1]) - self.departure.timestamp()
-
-    @property
-    def beyond_s(self) -> float:
-        """Seconds sailed on wind held beyond the forecast."""
-        begin = self.departure.timestamp()
-        horizon = max(self.request.wind.forecast.valid_to.timestamp(), begin)
-        return max(0.0, begin + self.seconds - horizon)
-
-    def passage(self, ledger: Ledger) -> Passage:
-        """Put the answer together."""
-        from seacruise.routing.manoeuvres import count_turns, true_length_nm
-
-        sailed, (start, end) = self.sailed, self.ends
-        legs = true_length_nm(self.course.x, self.course.y)
-        at = sailed.at[:-1]
-        tacks, gybes = count_turns(sailed.course_deg[at], sailed.twd_deg[at], ~sailed.motor[at])
-        bound_h = self._lower_bound_s() / SECONDS_PER_HOUR
-        ledger.lap("check")
-        return Passage(
-            start=start,
-            end=end,
-            yacht=self.request.yacht.name,
-            departure=self.departure,
-            arrival=self.departure + timedelta(seconds=self.seconds),
-            distance_nm=float(legs.sum()),
-            direct_distance_nm=float(great_circle_m(start.lat, start.lon, end.lat, end.lon)) / METRES_PER_NM,
-            waypoints=_waypoints(sailed, self.course.short_tacked, legs),
-            tacks=tacks,
-            gybes=gybes,
-            course_changes=legs.size - 1,
-            max_tws_kn=float(sailed.tws.max()) / MS_PER_KNOT,
-            motor_h=sailed.motor_s / SECONDS_PER_HOUR,
-            fuel_l=sailed.fuel_l,
-            beyond_forecast_h=self.beyond_s / SECONDS_PER_HOUR,
-            forecast=self.request.wind.forecast,
-            lower_bound_h=bound_h,
-            checks=Checks(
-                self.seconds / SECONDS_PER_HOUR,
-                sailed.land_free,
-                not sailed.zones_entered,
-                sailed.within_limits,
-            ),
-            search=SearchReport(
-                ledger.directions,
-                ledger.spacing_nm,
-                ledger.vertices,
-                ledger.edges,
-                ledger.settled,
-                dict(ledger.seconds),
-            ),
-            track=_track(sailed),
-            notices=self._notices(legs),
-            lattice_edges=self.found.lattice.edges_in_degrees(),
-        )
-
-    def _lower_bound_s(self) -> float:
-        from seacruise.routing.bound import lower_bound_s
-
-        start, end = self.ends
-        return lower_bound_s(
-            self.request.wind,
-            self.found.speeds,
-            (start.lat, start.lon),
-            (end.lat, end.lon),
-            departure=self.departure.timestamp(),
-            found_s=self.seconds,
-        )
-
-    def _notices(self, legs: NDArray[np.float64]) -> tuple[str, ...]:
-        """Sentences that a sailor must read with the passage."""
-        notice = self.request.wind.forecast.notice
-        said = [notice] if notice else []
-        for place, verb in zip(self.ends, ("begins", "ends"), strict=True):
-            if place.snapped_nm > TELL_SNAP_NM:
-                said.append(
-                    f"The passage {verb} {place.snapped_nm:.1f} nm from {place.name}, at the nearest water "
-                    "of the chart that is connected with the open sea."
-                )
-        if self.beyond_s > 60.0:
-            said.append(
-                f"The last {math.ceil(self.beyond_s / SECONDS_PER_HOUR)} h are sailed in the last known "
-                "wind, held beyond the end of the forecast."
-            )
-        if self.request.zones:
-            said.append(f"{len(self.request.zones.zones)} zones of your layers are kept clear of.")
-        said.extend(f"The passage touches the closed zone {name}." for name in self.sailed.zones_entered)
-        narrow = float(legs[self.course.short_tacked].sum())
-        if narrow > TELL_SNAP_NM:
-            said.append(
-                f"{narrow:.1f} nm are a beat or run in water too narrow to plan the boards; they are "
-                "reckoned at the speed made good."
-            )
-        return tuple(said)
-
-
-def _waypoints(
-    sailed: Resailed, short_tacked: NDArray[np.bool_], legs: NDArray[np.float64]
-) -> tuple[Waypoint, ...]:
-    points = []
-    for k, a in enumerate(sailed.at.tolist()):
-        lat, lon = float(sailed.lat[a]), float(sailed.lon[a])
-        when = datetime.fromtimestamp(float(sailed.time[a]), UTC)
-        if k == legs.size:
-            points.append(Waypoint(lat, lon, when))
-            break
-        until = int(sailed.at[k + 1])
-        hours = float(sailed.time[until] - sailed.time[a]) / SECONDS_PER_HOUR
-        course, twd = float(sailed.course_deg[a]), float(sailed.twd_deg[a])
-        twa = (twd - course + 180.0) % 360.0 - 180.0
-        motor = bool(np.mean(sailed.motor[a:until]) > 0.5)
-        points.append(
-            Waypoint(
-                lat,
-                lon,
-                when,
-                course_deg=course,
-                leg_nm=float(legs[k]),
-                boat_speed_kn=float(legs[k]) / hours if hours > 0 else 0.0,
-                tws_kn=float(sailed.tws[a]) / MS_PER_KNOT,
-                twd_deg=twd,
-                twa_deg=abs(twa),
-                motor=motor,
-                tack=None if motor else _tack(twa, both=bool(short_tacked[k])),
-            )
-        )
-    return tuple(points)
-
-
-def _tack(twa: float, *, both: bool) -> Tack:
-    if both:
-        return "both"
-    return "starboard" if twa >= 0 else "port"
-
-
-def _track(sailed: Resailed) -> Track:
-    return Track(
-        sailed.time,
-        sailed.lat,
-        sailed.lon,
-        sailed.course_deg,
-        sailed.speed / MS_PER_KNOT,
-        sailed.tws / MS_PER_KNOT,
-        sailed.twd_deg,
-        angle_between_deg(sailed.twd_deg, sailed.course_deg),
-        sailed.motor,
-        sailed.leg,
-    )

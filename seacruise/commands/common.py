@@ -69,6 +69,19 @@ def number_between(low: float, high: float, unit: str) -> Callable[[str], float]
     return read
 
 
+def whole_number_between(low: int, high: int, unit: str) -> Callable[[str], int]:
+    """Reader of a whole number within limits, both included, for ``type=`` of an argument."""
+    read_number = number_between(low, high, unit)
+
+    def read(text: str) -> int:
+        value = read_number(text)
+        if value != int(value):
+            raise argparse.ArgumentTypeError(f"{text!r} is not a whole number of {unit}")
+        return int(value)
+
+    return read
+
+
 def parse_size(text: str) -> tuple[int, int]:
     """Read a window size such as ``1280x800`` [pixels]."""
     parts = [parse_number(part) for part in text.lower().split("x")]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 from typing import TYPE_CHECKING, Any
 
-from seacruise.commands.common import number_between, parse_path, parse_time, say
+from seacruise.commands.common import number_between, parse_path, parse_time, say, whole_number_between
 
 if TYPE_CHECKING:
     from seacruise.passage import Options
@@ -31,6 +31,15 @@ _OPTION_FIELDS = (
     "motor_speed_kn",
     "fuel_rate_l_h",
     "max_wind_kn",
+    "max_gust_kn",
+    "max_wave_m",
+    "shore_clearance_nm",
+    "tack_penalty_min",
+    "gybe_penalty_min",
+    "turn_penalty",
+    "board_h",
+    "most_turns",
+    "may_wait_h",
 )
 
 
@@ -103,6 +112,20 @@ def add_sail_options(parser: argparse.ArgumentParser) -> None:
         help="never sail in more true wind than this",
     )
     sail.add_argument(
+        "--max-gust",
+        dest="max_gust_kn",
+        type=number_between(1, 150, "kn"),
+        metavar="KN",
+        help="never sail in stronger gusts than this, where the forecast has gusts",
+    )
+    sail.add_argument(
+        "--max-wave",
+        dest="max_wave_m",
+        type=number_between(0.1, 30, "m"),
+        metavar="M",
+        help="never sail in higher waves than this (significant height), where the forecast has waves",
+    )
+    sail.add_argument(
         "--motor-below",
         dest="motor_below_kn",
         type=number_between(0.1, 20, "kn"),
@@ -125,9 +148,56 @@ def add_sail_options(parser: argparse.ArgumentParser) -> None:
     )
 
 
+def add_manoeuvres(parser: argparse.ArgumentParser) -> None:
+    """Add what turning costs, how long boards are, and how far off the shore she keeps."""
+    crew = parser.add_argument_group("what the crew likes")
+    for kind, what in (("tack", "tack"), ("gybe", "gybe")):
+        crew.add_argument(
+            f"--{kind}-penalty",
+            dest=f"{kind}_penalty_min",
+            type=number_between(0, 120, "min"),
+            metavar="MIN",
+            help=f"what a {what} costs; boards are then weighed while the passage is searched",
+        )
+    crew.add_argument(
+        "--turn-penalty",
+        type=number_between(0, 60, "min"),
+        metavar="P",
+        help="minutes that each change of course costs for every 10 degrees",
+    )
+    crew.add_argument(
+        "--boards",
+        dest="board_h",
+        type=number_between(0.1, 24, "h"),
+        metavar="H",
+        help="usual length of a board on a beat or run in open water (default: 1.5)",
+    )
+    crew.add_argument(
+        "--most-turns",
+        type=whole_number_between(0, 1000, "tacks and gybes"),
+        metavar="N",
+        help="no more tacks and gybes than this, as far as the water allows it",
+    )
+    crew.add_argument(
+        "--shore-clearance",
+        dest="shore_clearance_nm",
+        type=number_between(0.1, 20, "nm"),
+        metavar="NM",
+        help="keep this far off every shore, but on the ways out of and into the ports",
+    )
+    crew.add_argument(
+        "--may-wait",
+        dest="may_wait_h",
+        type=number_between(0, 240, "h"),
+        metavar="H",
+        help="leave up to this much later if that brings her there earlier, or at all",
+    )
+
+
 def add_search_options(parser: argparse.ArgumentParser) -> None:
     """Add how to sail and how to search."""
     add_sail_options(parser)
+    add_manoeuvres(parser)
     search = parser.add_argument_group("how it is searched")
     search.add_argument("--preset", choices=("precise", "classic"), help="classic is R1 as published")
     search.add_argument("--directions", type=int, choices=DIRECTIONS, help="courses of the lattice")

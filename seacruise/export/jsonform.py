@@ -33,9 +33,12 @@ def passage_to_json(passage: Passage) -> dict[str, Any]:
     """Put a passage into the object of the command line's contract.
 
     ``start`` and ``end`` are where the passage begins and ends, that is the ports as snapped to water.
-    The keys are fixed by the schema; a key more is a new version of it.
+    The keys are fixed by the schema. Only what was asked for besides adds one: in a current there are
+    ``sog_kn``, ``steer_deg``, ``current_kn`` and ``current_to_deg`` at each waypoint, and where turning
+    costs time there is ``manoeuvre_h``.
     """
     search = passage.search
+    turning = {"manoeuvre_h": number(passage.manoeuvre_h, 4)} if passage.manoeuvre_h > 0.0 else {}
     return {
         "schema": SCHEMA,
         "start": _place(passage.start),
@@ -50,6 +53,7 @@ def passage_to_json(passage: Passage) -> dict[str, Any]:
         "tacks": passage.tacks,
         "gybes": passage.gybes,
         "course_changes": passage.course_changes,
+        **turning,
         "max_tws_kn": number(passage.max_tws_kn, 2),
         "motor_h": number(passage.motor_h, 4),
         "fuel_l": number(passage.fuel_l, 2),
@@ -91,6 +95,14 @@ def _place(place: Place) -> dict[str, Any]:
 
 
 def _waypoint(waypoint: Waypoint) -> dict[str, Any]:
+    current: dict[str, Any] = {}
+    if waypoint.current_kn is not None:
+        current = {
+            "sog_kn": number(waypoint.sog_kn, 3),
+            "steer_deg": number(waypoint.steer_deg, 2),
+            "current_kn": number(waypoint.current_kn, 3),
+            "current_to_deg": number(waypoint.current_to_deg, 2),
+        }
     return {
         "lat": number(waypoint.lat, 6),
         "lon": number(waypoint.lon, 6),
@@ -102,4 +114,5 @@ def _waypoint(waypoint: Waypoint) -> dict[str, Any]:
         "twd_deg": number(waypoint.twd_deg, 2),
         "twa_deg": number(waypoint.twa_deg, 2),
         "motor": waypoint.motor,
+        **current,
     }

@@ -38,6 +38,7 @@ def lower_bound_s(
     *,
     departure: float,
     found_s: float,
+    drift: float = 0.0,
 ) -> float:
     """Seconds that a passage between two positions [degrees] takes at the very least.
 
@@ -48,12 +49,15 @@ def lower_bound_s(
     found_s
         Duration of a passage that was found [s]: the bound is never above it, and places that no faster
         passage can touch are left out.
+    drift
+        Strongest current [m/s]: it may help all the way, and freshen the wind she feels.
     """
     distance = float(great_circle_m(*start, *end))
     lat, lon = np.meshgrid(_refined(wind.lat), _refined(wind.lon), indexing="ij")
     to_end = great_circle_m(lat, lon, *end)
     cell = float(np.hypot(*(c.max() - c.min() for c in (lat[:2, :2], lon[:2, :2])))) * 111_200.0
-    reach = speeds.fastest(float(np.hypot(wind.u, wind.v).max())) * found_s
+    strongest = float(np.hypot(wind.u, wind.v).max())
+    reach = (speeds.fastest(strongest + drift) + drift) * found_s
     inside = to_end + great_circle_m(lat, lon, *start) <= reach + 2 * cell
     if not inside.any():
         # A grid so coarse that it has no node near: any of its winds may blow here.
@@ -69,7 +73,11 @@ def lower_bound_s(
         best = 0.0
         for when in (departure + t, departure + t + step):
             u, v = wind.at(when, lat[near], lon[near])
-            best = max(best, float(_look_up(closing, u, v, bearing[near]).max()))
+            if drift > 0.0:
+                tws = float(np.hypot(u, v).max())
+                best = max(best, speeds.fastest(tws + drift) + drift)
+            else:
+                best = max(best, float(_look_up(closing, u, v, bearing[near]).max()))
         if best * SAFETY * step >= left:
             return t + left / (best * SAFETY)
         left -= best * SAFETY * step

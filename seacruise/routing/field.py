@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Final
 
 import numpy as np
@@ -181,6 +181,15 @@ class Handling:
     max_wind: float | None = None
     limits: SeaLimits = NO_LIMITS
     pauses: tuple[float, float, float] = (0.0, 0.0, 0.0)
+
+    def within(self, share: float) -> Handling:
+        """Give the same with all limits of wind, gusts and waves reduced to a share."""
+
+        def part(limit: float | None) -> float | None:
+            return None if limit is None else limit * share
+
+        limits = SeaLimits(part(self.limits.max_gust), part(self.limits.max_wave))
+        return replace(self, max_wind=part(self.max_wind), limits=limits)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -25,6 +25,7 @@ from seacruise.routing import lattice as lattices
 from seacruise.routing.field import (
     COARSE_SLICE_S,
     FINE_SLICE_S,
+    NO_LIMITS,
     Handling,
     SpeedTable,
     WindField,
@@ -32,6 +33,7 @@ from seacruise.routing.field import (
     wind_field,
 )
 from seacruise.routing.lattice import Area, Lattice, Levels
+from seacruise.routing.manoeuvres import USUAL, Boards
 from seacruise.routing.refine import PIECE_M as REFINED_PIECE_M
 from seacruise.routing.refine import Line, Waters, refine, timed
 from seacruise.routing.search import PIECE_M, connected, search
@@ -73,6 +75,7 @@ class How:
     area: Literal["ellipse", "rectangle"] | None
     refine: bool
     handling: Handling
+    boards: Boards = USUAL
 
 
 @dataclass(slots=True)
@@ -212,7 +215,7 @@ class Finder:
         else:
             line, grid = self._precise(asked, waters, coarse, job, ledger)
         if line is None:
-            raise _why_not(asked, grid, coarse)
+            raise _why_not(asked, grid)
         job.check()
         turned = None
         if any(handling.pauses) and asked.how.preset == "precise":
@@ -247,7 +250,8 @@ class Finder:
         guessed = _reach_needed(asked, waters, direct / pace) if pace > 0.0 else 0.0
         reach = min(max(guessed, direct * _FIRST_REACH, direct + 20 * METRES_PER_NM), direct * _LAST_REACH)
         # A limit that is held at a coarse look may be broken at a fine one: look finely at once.
-        fine = asked.how.handling.max_wind is not None
+        handling = asked.how.handling
+        fine = handling.max_wind is not None or handling.limits != NO_LIMITS
         look = partial(
             search,
             field=waters.field if fine else coarse,
@@ -319,7 +323,7 @@ def levels_around(
 ) -> Levels:
     """`approach_levels` of any number of ports; ``per_nm`` is the metres of the plane per nautical mile."""
     everywhere = max(0, math.ceil(math.log2(spacing_nm / SHORE_NM))) + detail
-    approaches = max(0, math.ceil(math.log2(spacing_nm / APPROACH_NM)) - everywhere)
+    approaches = max(0, math.ceil(math.log2(spacing_nm / APPROACH_NM)) - everywhere + detail)
     ways = tuple(sea.ways_out(*port, room_m=OPEN_WATER_NM * per_nm) for port in ports)
     return Levels(everywhere, approaches, ways, sides=3.0 * 2**detail)
 
@@ -396,7 +400,7 @@ def _turning(
     return (waters, timed(waters, grid.x[path], grid.y[path], departure)) if path.size else None
 
 
-def _why_not(asked: Question, grid: Lattice, wind: WindField) -> NoPassageError:
+def _why_not(asked: Question, grid: Lattice) -> NoPassageError:
     """Find out why nothing was found: take the obstacles away one by one."""
     if not connected(grid):
         return NoPassageError(
@@ -406,7 +410,8 @@ def _why_not(asked: Question, grid: Lattice, wind: WindField) -> NoPassageError:
         )
 
     def passable(handling: Handling, zones: Zones) -> bool:
-        found = search(grid, wind, speed_table(asked.polar, handling), asked.departure, zones=zones)
+        field = replace(asked, how=replace(asked.how, handling=handling)).winds(COARSE_SLICE_S)
+        found = search(grid, field, speed_table(asked.polar, handling), asked.departure, zones=zones)
         return bool(np.isfinite(found.arrival[grid.end]))
 
     handling = asked.how.handling
@@ -420,6 +425,12 @@ def _why_not(asked: Question, grid: Lattice, wind: WindField) -> NoPassageError:
         return NoPassageError(
             f"Every way leads through more wind than the {handling.max_wind / MS_PER_KNOT:.0f} kn you allow; "
             "leave at another time or raise the limit.",
+            reason="wind-limit",
+        )
+    if handling.limits != NO_LIMITS and passable(replace(handling, limits=NO_LIMITS), asked.zones):
+        return NoPassageError(
+            "Every way leads through higher waves or stronger gusts than you allow; leave at another time or "
+            "raise the limit.",
             reason="wind-limit",
         )
     if not handling.tacking and passable(replace(handling, tacking=True), asked.zones):

@@ -209,6 +209,7 @@ class _Grower:
         self.finest = spacing
         self.x: list[Array] = []
         self.y: list[Array] = []
+        self.born: list[NDArray[np.int8]] = []
         self.count = 0
         self.a: list[NDArray[np.int32]] = []
         self.b: list[NDArray[np.int32]] = []
@@ -262,6 +263,7 @@ class _Grower:
         numbers[fresh] = np.arange(self.count, self.count + number, dtype=np.int32)
         self.x.append(x[fresh])
         self.y.append(y[fresh])
+        self.born.append(np.full(number, level, dtype=np.int8))
         self.count += number
         patch = _Patch(axial.Index(i, j), numbers)
         self._join(patch, i, j, offsets)
@@ -405,21 +407,22 @@ class _Grower:
     def _in_sight(
         self, x: Array, y: Array, end: int, count: int, *, most: int | None = None
     ) -> NDArray[np.int32]:
-        """Vertices that an end is joined to: those within two of its sides, level by level."""
+        """Vertices that an end is joined to: of each level those nearest to it, or ``most`` of all.
+
+        So a lattice that is refined has every edge of the one that is not.
+        """
         away = np.hypot(x[:count] - x[end], y[:count] - y[end])
-        around = 2.1 * self.spacing * self.mesh.longest
-        nearest = np.flatnonzero(away < around)
-        if nearest.size < max(_JOINED, most or 0):
-            nearest = np.arange(count)
-        nearest = nearest[np.argsort(away[nearest], kind="stable")]
         if most is not None:
-            near = nearest[:most]
+            near = np.argsort(away, kind="stable")[:most]
         else:
-            near = nearest[:_JOINED]
+            born = np.concatenate(self.born)
+            around = 4.2 * self.spacing * self.mesh.longest
+            near = np.empty(0, dtype=np.int64)
             for level in range(round(math.log2(self.spacing / self.finest)) + 1):
-                ring = np.flatnonzero(away < around / 2**level)
-                # Of a crowded ring the outer ones: the inner ones belong to the next level.
-                near = np.union1d(near, ring[np.argsort(-away[ring], kind="stable")[:_JOINED]])
+                ring = np.flatnonzero((away < around / 2**level) & (born <= level))
+                if level == 0 and ring.size < _JOINED:
+                    ring = np.flatnonzero(born == 0)
+                near = np.union1d(near, ring[np.argsort(away[ring], kind="stable")[:_JOINED]])
         near = near[away[near] > 1e-6]
         here = np.full(near.size, x[end]), np.full(near.size, y[end])
         free = self.sea.clear(np.stack([*here, x[near], y[near]], axis=1))

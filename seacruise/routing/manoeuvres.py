@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from seacruise.geodesy import from_mercator, rhumb_distance_m
+from seacruise.geodesy import from_mercator, rhumb_distance_m, scale
 from seacruise.routing.refine import Line
 from seacruise.sea import Sea
 from seacruise.sea.zones import Zones
@@ -26,14 +26,8 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-PAIR_S: Final = 3 * 3600.0
-"""A pair of boards usually takes this long [s]: the crew goes about every hour and a half."""
-
 SHORTEST_PAIR_S: Final = 360.0
 """In narrow water boards get shorter, but a pair never takes less than this [s]."""
-
-SHORTEST_BOARD_S: Final = 900.0
-"""In open water a board shorter than this is put off and joined to the next one [s]."""
 
 SLACK_S: Final = 1800.0
 """Boards may be sailed this much earlier or later than planned, and meet no zone all the same [s]."""
@@ -43,6 +37,25 @@ SAME_COURSE_DEG: Final = 1.0
 
 GAIN: Final = 1.005
 """A leg is tacked where that is at least 0.5 % faster than sailing it straight."""
+
+
+@dataclass(frozen=True, slots=True)
+class Boards:
+    """How long the boards of a beat or run are, as the crew likes it.
+
+    Attributes
+    ----------
+    usual_s
+        In open water she goes about this often [s].
+    shortest_s
+        In open water a board shorter than this is put off and joined to the next one [s].
+    """
+
+    usual_s: float = 5400.0
+    shortest_s: float = 900.0
+
+
+USUAL: Final = Boards()
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -69,7 +82,7 @@ def straight_legs(line: Line) -> Course:
 
 def sail_boards(asked: Question, line: Line) -> Course:
     """Replace each leg that is sailed on the hull by boards on the two headings of the hull."""
-    builder = _Builder(asked.sea, asked.zones, (float(line.x[0]), float(line.y[0])))
+    builder = _Builder(asked, (float(line.x[0]), float(line.y[0])))
     pieces = _pieces(asked, line)
     for piece, after in zip(pieces, [*pieces[1:], None], strict=True):
         builder.add(piece, put_off=after is not None and after.gain >= GAIN)
@@ -97,15 +110,25 @@ class _Piece:
 
 
 def _pieces(asked: Question, line: Line) -> list[_Piece]:
-    """Cut a line into pieces of about `PAIR_S` and find the best headings in each one's middle."""
+    """Cut a line into pieces of about a pair of boards and find the best headings in each one's middle."""
     polar = asked.polar
-    cuts = [max(1, round(float(seconds) / PAIR_S)) for seconds in np.diff(line.times)]
+    pair_s = 2.0 * asked.how.boards.usual_s
+    cuts = [max(1, round(float(seconds) / pair_s)) for seconds in np.diff(line.times)]
     shares = np.concatenate([k + np.arange(n) / n for k, n in enumerate(cuts)] + [[float(len(cuts))]])
     nodes = np.arange(line.x.size)
     x, y, t = (np.interp(shares, nodes, axis) for axis in (line.x, line.y, line.times))
     lat, lon = from_mercator((x[1:] + x[:-1]) / 2, (y[1:] + y[:-1]) / 2)
-    tws, twd = to_direction(*asked.wind.at((t[1:] + t[:-1]) / 2, lat, lon))
-    twa = (twd - np.degrees(np.arctan2(np.diff(x), np.diff(y))) + 180.0) % 360.0 - 180.0
+    when = (t[1:] + t[:-1]) / 2
+    u, v = asked.wind.at(when, lat, lon)
+    # Through the water she goes where she goes over ground less what the current does.
+    east, north = np.diff(x), np.diff(y)
+    drift = (np.zeros_like(u), np.zeros_like(v))
+    if asked.current is not None:
+        drift = asked.current.at(when, lat, lon)
+        per_s = scale(lat) / np.maximum(np.diff(t), 1.0)
+        east, north = east * per_s - drift[0], north * per_s - drift[1]
+    tws, twd = to_direction(u - drift[0], v - drift[1])
+    twa = (twd - np.degrees(np.arctan2(east, north)) + 180.0) % 360.0 - 180.0
     first, share, second, other = hull_headings(polar, tws, twa)
     made = share * polar.speed(tws, first) * np.cos(np.radians(first - twa))
     made += other * polar.speed(tws, second) * np.cos(np.radians(second - twa))
@@ -113,7 +136,9 @@ def _pieces(asked: Question, line: Line) -> list[_Piece]:
     with np.errstate(divide="ignore", invalid="ignore"):
         gain = np.where(other > 0.0, np.where(direct > 0.0, made / direct, np.inf), 1.0)
     courses = np.radians([twd - first, twd - second])
-    headings = np.array([np.sin(courses), np.cos(courses)])
+    speeds = np.array([polar.speed(tws, first), polar.speed(tws, second)])
+    headings = np.array([np.sin(courses) * speeds + drift[0], np.cos(courses) * speeds + drift[1]])
+    headings /= np.maximum(np.hypot(*headings), 1e-9)
     points = np.stack([x, y], axis=1)
     return [
         _Piece(points[k], points[k + 1], float(t[k]), float(t[k + 1]), float(gain[k]), headings[:, :, k])
@@ -124,8 +149,9 @@ def _pieces(asked: Question, line: Line) -> list[_Piece]:
 class _Builder:
     """Collects the corners of a course; `sail_boards` is its only user."""
 
-    def __init__(self, sea: Sea, zones: Zones, start: tuple[float, float]) -> None:
-        self.sea, self.zones = sea, zones
+    def __init__(self, asked: Question, start: tuple[float, float]) -> None:
+        self.sea, self.zones = asked.sea, asked.zones
+        self.shortest_s = asked.how.boards.shortest_s
         self.corners = [start]
         self.short: list[bool] = []
         self.other_first = False
@@ -169,7 +195,7 @@ class _Builder:
         if legs.min() < 0.0:
             return None
         steps = piece.headings * legs
-        if put_off and piece.seconds * legs.min() / legs.sum() < SHORTEST_BOARD_S:
+        if put_off and piece.seconds * legs.min() / legs.sum() < self.shortest_s:
             there = here + steps[:, int(np.argmax(legs))]
             # The board put off must be free as well: it is the way back to the line.
             if self._clear(np.stack([here, there, piece.b]), piece):

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from seacruise.geodesy import angle_between_deg, from_mercator, rhumb_course_deg, rhumb_distance_m
-from seacruise.routing.manoeuvres import GAIN, Course
+from seacruise.routing.manoeuvres import GAIN, Course, count_turns
 from seacruise.sea import Sea
 from seacruise.units import METRES_PER_NM, SECONDS_PER_HOUR
 from seacruise.yacht.hull import hull_speed
@@ -83,6 +83,21 @@ class Resailed:
     fuel_l: float
     motor_s: float
     pause_s: float
+
+    @property
+    def in_current(self) -> bool:
+        """Whether the water moved anywhere on the way."""
+        return bool(self.current.any())
+
+    def tacks_and_gybes(self) -> tuple[int, int]:
+        """Count the times the wind changed its side between two legs."""
+        at = self.at[:-1]
+        return count_turns(self.heading_deg[at], self.twd_deg[at], ~self.motor[at])
+
+    @property
+    def turns(self) -> int:
+        """Tacks and gybes together."""
+        return sum(self.tacks_and_gybes())
 
     def mixed(self, polar: Polar) -> NDArray[np.bool_]:
         """Tell of each leg whether the hull of the polar is faster on it than the polar anywhere."""

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from pathlib import Path
 from typing import Any, Final
@@ -21,6 +22,9 @@ FARTHEST_SNAP_NM: Final = 40.0
 
 FARTHEST_WAY_NM: Final = 45.0
 """Ways out of an archipelago are followed this far from the port [nm]."""
+
+APPROACH_NM: Final = 1.0
+"""Where a distance from the shore is kept, this much room is left beside the ways out of a port [nm]."""
 
 SECTORS: Final = 8
 
@@ -161,6 +165,19 @@ class Sea:
             found_lat, found_lon, float(great_circle_m(lat, lon, found_lat, found_lon)) / METRES_PER_NM
         )
 
+    def keeping_off(self, distance_m: float, ports: Sequence[tuple[float, float]]) -> Sea:
+        """Give the same sea with all water nearer to a shore than this taken for land.
+
+        Parameters
+        ----------
+        distance_m
+            True distance [m]; measured by the cells of the raster, so kept to a cell's width.
+        ports
+            Positions [degrees]; on their ways out to water that is far enough from the shore, and within
+            `APPROACH_NM` of these, every water stays water.
+        """
+        return _kept_off(self, round(distance_m), tuple(ports))
+
     def ways_out(self, lat: float, lon: float, *, room_m: float) -> Array:
         """Ways by water from a position to open water, one for each sector of the compass that has one.
 
@@ -191,6 +208,33 @@ class Sea:
                 lines.append(np.stack([px[:-1], py[:-1], px[1:], py[1:]], axis=1))
         found = np.concatenate(lines) if lines else np.empty((0, 4))
         return np.unique(found, axis=0)
+
+
+@lru_cache(maxsize=2)
+def _kept_off(sea: Sea, distance_m: int, ports: tuple[tuple[float, float], ...]) -> Sea:
+    from seacruise.sea import _kernels as k
+
+    water = sea.water
+    latitudes, _ = from_mercator(0.0, water.y0 + (np.arange(water.cells.shape[0]) + 0.5) * water.cell)
+    rings = np.ceil(distance_m / (water.cell * scale(latitudes)))[:, None]
+    cells = np.where(water.cells < k.WATER + rings, k.LAND, water.cells).astype(np.uint8)
+    for port in ports:
+        per_nm = METRES_PER_NM / float(scale(port[0]))
+        x, y = (float(c) for c in to_mercator(*port))
+        ways = sea.ways_out(*port, room_m=distance_m / float(scale(port[0])))
+        points = np.vstack([[[x, y]], ways[:, :2], ways[:, 2:]])
+        reach = math.ceil(APPROACH_NM * per_nm / water.cell)
+        columns, rows = (np.floor(c).astype(int) for c in water.lines(points[:, 0], points[:, 1]))
+        for row, column in set(zip(rows.tolist(), columns.tolist(), strict=True)):
+            window = np.s_[
+                max(0, row - reach) : max(0, row + reach + 1),
+                max(0, column - reach) : max(0, column + reach + 1),
+            ]
+            cells[window] = np.minimum(water.cells[window], k.WATER)
+    cells[cells > k.WATER] = k.WATER
+    k.count_free_cells(cells)
+    cells.setflags(write=False)
+    return Sea(replace(water, cells=cells))
 
 
 @lru_cache(maxsize=4)
