@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from datetime import UTC, datetime, timedelta
 from typing import TYPE_CHECKING
@@ -61,6 +62,12 @@ SAME_PLACE_NM = 0.1
 LIMIT_SHARES = (1.0, 0.97, 0.94, 0.9)
 """Shares of a wind limit with which to search, until the passage keeps it when sailed again."""
 
+MOST_DEPARTURES = 6
+"""Departures that are searched in full where she may wait."""
+
+DEARER_S = (300.0, 1200.0, 4800.0)
+"""What a tack or gybe is made to cost more [s], until there are no more of them than wanted."""
+
 NOBODY = Job()
 """A job that nobody watches or cancels."""
 
@@ -100,10 +107,8 @@ def plan(request: PassageRequest, *, settings: Settings, job: Job = NOBODY) -> P
     check_cover(request.wind, request.start, request.end)
     asked = question_of(request, sea, ends, departure)
     _check_zones(asked, request)
-    asked = _after_waiting(asked, request.options.may_wait_h, job, ledger)
-    answer = Answer(
-        request, ends, departure, asked, *_find_within_limits(asked, request.options, job, ledger)
-    )
+    asked, found, course, sailed = _leaving_in_time(asked, request.options, job, ledger)
+    answer = Answer(request, ends, departure, asked, found, course, sailed)
     job.check()
     return answer.passage(ledger)
 
@@ -130,8 +135,22 @@ def question_of(
     )
 
 
-def _after_waiting(asked: Question, may_wait_h: float, job: Job, ledger: Ledger) -> Question:
-    """Leave later, hour by hour, where that brings her there earlier, or at all.
+def _leaving_in_time(
+    asked: Question, options: Options, job: Job, ledger: Ledger
+) -> tuple[Question, Fastest, Course, Resailed]:
+    """Find the passage; where waiting is allowed, of the departure that brings her there first."""
+    refused: NoPassageError | None = None
+    for later in _departures(asked, options.may_wait_h, job, ledger)[:MOST_DEPARTURES]:
+        try:
+            return later, *_with_few_turns(later, options, job, ledger)
+        except NoPassageError as error:
+            refused = refused or error
+    assert refused is not None
+    raise refused
+
+
+def _departures(asked: Question, may_wait_h: float, job: Job, ledger: Ledger) -> list[Question]:
+    """Departures worth a full search, the one that arrives first on a first look before the others.
 
     Waiting never helps against the wind alone: who leaves later arrives later. It helps where a limit or a
     zone that is open later forbids the way.
@@ -139,24 +158,36 @@ def _after_waiting(asked: Question, may_wait_h: float, job: Job, ledger: Ledger)
     from seacruise.routing.field import NO_LIMITS
 
     limited = asked.how.handling.max_wind is not None or asked.how.handling.limits != NO_LIMITS
-    if may_wait_h <= 0.0 or not (limited or asked.zones):
-        return asked
-    reason: NoPassageError | None = None
-    best: tuple[float, Question] | None = None
+    if may_wait_h < 1.0 or not (limited or asked.zones):
+        return [asked]
+    looks: list[tuple[float, Question]] = []
     for hours in range(int(may_wait_h) + 1):
         job.check()
         later = replace(asked, departure=asked.departure + hours * SECONDS_PER_HOUR)
         try:
             line = the_finder().fastest(first_look(later), job=job, ledger=ledger).line
-        except NoPassageError as error:
-            reason = reason or error
+        except NoPassageError:
             continue
-        if best is None or float(line.times[-1]) < best[0]:
-            best = float(line.times[-1]), later
-    if best is None:
-        assert reason is not None
-        raise reason
-    return best[1]
+        looks.append((float(line.times[-1]), later))
+    looks.sort(key=lambda look: look[0])
+    return [later for _, later in looks] or [asked]
+
+
+def _with_few_turns(
+    asked: Question, options: Options, job: Job, ledger: Ledger
+) -> tuple[Fastest, Course, Resailed]:
+    """Find a passage; where it has more tacks and gybes than wanted, search as if they cost more."""
+    best = _find_within_limits(asked, options, job, ledger)
+    most = math.inf if options.most_turns is None else options.most_turns
+    tack, gybe, turn = asked.how.handling.pauses
+    for extra in DEARER_S:
+        if best[2].turns <= most or options.preset == "classic":
+            break
+        handling = replace(asked.how.handling, pauses=(tack + extra, gybe + extra, turn))
+        dearer = replace(asked, how=replace(asked.how, handling=handling))
+        fewer = _find_within_limits(dearer, options, job, ledger, sailed_as=asked)
+        best = min(best, fewer, key=lambda found: found[2].turns)
+    return best
 
 
 def first_look(asked: Question) -> Question:
@@ -166,7 +197,7 @@ def first_look(asked: Question) -> Question:
 
 
 def _find_within_limits(
-    asked: Question, options: Options, job: Job, ledger: Ledger
+    asked: Question, options: Options, job: Job, ledger: Ledger, *, sailed_as: Question | None = None
 ) -> tuple[Fastest, Course, Resailed]:
     """Find a passage and sail it again; where that breaks a limit, search with less."""
     handling = asked.how.handling
@@ -175,7 +206,7 @@ def _find_within_limits(
         found = the_finder().fastest(sought, job=job, ledger=ledger)
         job.check()
         job.report("check", None, "Sailing the passage again")
-        course, sailed = _sail_again(asked, found, options)
+        course, sailed = _sail_again(sailed_as or asked, found, options.fuel_rate_l_h)
         if sailed.within_limits:
             return found, course, sailed
     raise NoPassageError(
@@ -291,7 +322,7 @@ def how_of(options: Options) -> How:
     )
 
 
-def _sail_again(asked: Question, found: Fastest, options: Options) -> tuple[Course, Resailed]:
+def _sail_again(asked: Question, found: Fastest, fuel_rate_l_h: float) -> tuple[Course, Resailed]:
     """Put in the tacks and sail the passage by independent code.
 
     Without tacking a leg found possible hour by hour may still lead through the dead angle between two
@@ -300,23 +331,16 @@ def _sail_again(asked: Question, found: Fastest, options: Options) -> tuple[Cour
     from seacruise.routing.manoeuvres import merge_straight, sail_boards, straight_legs
     from seacruise.routing.resail import resail
 
-    handling, line = asked.how.handling, found.line
-    straight = found.boards_found or not handling.tacking
-    boards = asked.how.boards
-    while True:
-        if straight:
-            course = merge_straight(straight_legs(line), asked.sea, asked.zones)
-        else:
-            course = sail_boards(replace(asked, how=replace(asked.how, boards=boards)), line)
-        sailed = resail(asked, course, fuel_rate_l_h=options.fuel_rate_l_h)
-        enough = options.most_turns is None or sailed.turns <= options.most_turns
-        if straight or enough or boards.usual_s > line.seconds:
-            break
-        boards = replace(boards, usual_s=boards.usual_s * 1.5)
+    handling = asked.how.handling
+    if found.boards_found or not handling.tacking:
+        course = merge_straight(straight_legs(found.line), asked.sea, asked.zones)
+    else:
+        course = sail_boards(asked, found.line)
+    sailed = resail(asked, course, fuel_rate_l_h=fuel_rate_l_h)
     if not sailed.arrived:
         tacked = replace(asked, how=replace(asked.how, handling=replace(handling, tacking=True)))
         course = replace(course, short_tacked=np.ones_like(course.short_tacked))
-        sailed = resail(tacked, course, fuel_rate_l_h=options.fuel_rate_l_h)
+        sailed = resail(tacked, course, fuel_rate_l_h=fuel_rate_l_h)
         course = replace(course, short_tacked=sailed.mixed(asked.polar))
     if not sailed.arrived:
         raise NoPassageError(
