@@ -72,9 +72,9 @@ def plan_arrival(
 
 def _guess(request: PassageRequest, best: Passage, deadline: datetime, settings: Settings) -> datetime | None:
     """Latest departure on the lattice on which the first passage was found; ``None`` if there is none."""
+    from seacruise.routing.backwards import latest_departures
     from seacruise.routing.field import COARSE_SLICE_S, wind_field
     from seacruise.routing.find import Ledger, Question
-    from seacruise.routing.reach import latest_departures
 
     sea, (start, end) = waters_of(request, settings)
     asked = Question(

@@ -127,7 +127,9 @@ def search_turning(start, end, departure, ahead, points, edges, source, piece, w
 
 
 @kernel
-def fewest_changes(start, end, departure, most, order, points, edges, course, piece, wind, speeds):
+def fewest_changes(
+    start, end, departure, most, latest, rows, order, points, source, target, piece, wind, speeds, zones
+):
     """Earliest arrivals with at most 0, 1, 2 ... ``most`` changes of course.
 
     With a number of changes given, the next edge either keeps the course, or leaves a vertex reached with
@@ -136,48 +138,69 @@ def fewest_changes(start, end, departure, most, order, points, edges, course, pi
 
     Parameters
     ----------
-    order
-        ``(c, n)`` for each course, the vertices in the order in which one sails over them.
-    course
-        ``(m,)`` number of each edge's course.
+    latest
+        ``(n,)`` time [s] after which there is no use in being at a vertex, -inf where there never is; at
+        the start, an arrival at the end that no number of changes betters.
+    rows, order
+        ``(c + 1,)`` and ``(m,)``: the edges of course k are ``order[rows[k]:rows[k + 1]]``, in the order in
+        which one sails over the vertices they lead from.
+    source, target
+        ``(m,)`` vertices of each edge.
 
     Returns
     -------
-    arrival, before
-        ``(most + 1, m)`` arrival [s] at the end of each edge, and the state before it: its changes times m
-        plus its edge, -1 at the start.
+    arrival, by, edge, before
+        ``(most + 1,)`` arrival at the end [s] and the state it is reached by (-1 if it is not); ``(k,)`` edge
+        of each state and the state before it (-1 at the start).
     """
-    first, target = edges
-    n, m = first.size - 1, target.size
-    arrival = np.full((most + 1, m), np.inf)
-    before = np.full((most + 1, m), -1, dtype=np.int64)
+    n, m = points[0].size, target.size
+    x, y = points[0], points[1]
+    zoned = zones[0].size > 1
+    arrivals = np.full(most + 1, np.inf)
+    arrived_by = np.full(most + 1, -1, dtype=np.int32)
+    edge = np.empty(4 * m + 1024, dtype=np.int32)
+    before = np.empty(edge.size, dtype=np.int32)
+    count = 0
     # Earliest arrival at each vertex with one change less, and the state by which.
     reached = np.full(n, np.inf)
-    by = np.full(n, -1, dtype=np.int64)
+    by = np.full(n, -1, dtype=np.int32)
     reached[start] = departure
+    # With one change more most edges are left no earlier, and need not be sailed again.
+    left = np.full(m, np.inf)
+    there = np.full(m, np.inf)
+    state = np.full(m, -1, dtype=np.int32)
+    on_course = np.empty(n)
+    on_course_by = np.empty(n, dtype=np.int32)
     for w in range(most + 1):
         best = reached.copy()
         best_by = by.copy()
-        for c in range(order.shape[0]):
-            on_course = np.full(n, np.inf)
-            on_course_by = np.full(n, -1, dtype=np.int64)
-            for a in order[c]:
+        for c in range(rows.size - 1):
+            on_course[:] = np.inf
+            for f in order[rows[c] : rows[c + 1]]:
+                a, b = source[f], target[f]
                 t, e = on_course[a], on_course_by[a]
                 if reached[a] < t:
                     t, e = reached[a], by[a]
-                if t == np.inf or a == end:
+                if not t <= latest[a] or a == end:
                     continue
-                for f in range(first[a], first[a + 1]):
-                    if course[f] != c:
-                        continue
-                    b = target[f]
-                    then = sail_edge(t, a, b, points, piece, wind, speeds)
-                    if then < arrival[w, f]:
-                        arrival[w, f] = then
-                        before[w, f] = e
-                        if then < on_course[b]:
-                            on_course[b], on_course_by[b] = then, w * m + f
-                        if then < best[b]:
-                            best[b], best_by[b] = then, w * m + f
+                if t < left[f]:
+                    left[f] = t
+                    there[f] = sail_edge(t, a, b, points, piece, wind, speeds)
+                    if zoned and closed(zones, x[a], y[a], t, x[b], y[b], there[f]):
+                        there[f] = np.inf
+                    if count == edge.size:
+                        edge = np.append(edge, np.empty_like(edge))
+                        before = np.append(before, np.empty_like(before))
+                    edge[count], before[count] = f, e
+                    state[f] = count
+                    count += 1
+                then = there[f]
+                if then < on_course[b]:
+                    on_course[b], on_course_by[b] = then, state[f]
+                if then < best[b]:
+                    best[b], best_by[b] = then, state[f]
         reached, by = best, best_by
-    return arrival, before
+        arrivals[w], arrived_by[w] = reached[end], by[end]
+        if reached[end] <= latest[start]:
+            break
+    return arrivals, arrived_by, edge[:count].copy(), before[:count].copy()

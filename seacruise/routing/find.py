@@ -62,6 +62,7 @@ MOST_DETAIL: Final = 2
 _GUESSED_PACE: Final = 0.6
 _FIRST_REACH: Final = 1.3
 _LAST_REACH: Final = 4.0
+_REACH_STEP: Final = 0.1
 _KEPT: Final = 8
 
 
@@ -289,7 +290,9 @@ class Finder:
         if asked.how.area == "rectangle":
             area = Area("rectangle", asked.ends, classic.HALF_WIDTH_DEG * 60 * asked.plane_per_nm)
         else:
-            area = Area("ellipse", asked.ends, math.ceil(reach / METRES_PER_NM) * METRES_PER_NM)
+            # In steps, so that another departure or yacht finds the lattice of the last one.
+            step = _REACH_STEP * asked.direct_m
+            area = Area("ellipse", asked.ends, math.ceil(reach / step) * step)
         grid = self.cache.get(
             (spacing, ledger.directions, area.kind, area.reach_m, detail),
             asked.sea,

@@ -1,8 +1,7 @@
 """How far she gets: one search forwards to every vertex, one backwards from the end.
 
 Forwards, the ordinary search settles the earliest arrival everywhere. Backwards, `latest_departures` settles
-the latest departure from everywhere that still arrives at the end by a given time; it sails each edge
-backwards through the same pieces and slices of time, so that both agree to the millisecond.
+the latest departure from everywhere that still arrives at the end by a given time.
 """
 
 from __future__ import annotations
@@ -22,10 +21,11 @@ from seacruise.geodesy import from_mercator, great_circle_m, scale, to_mercator
 from seacruise.progress import Job
 from seacruise.routing import lattice as lattices
 from seacruise.routing import stencil
+from seacruise.routing.backwards import latest_departures
 from seacruise.routing.field import SpeedTable, WindField
 from seacruise.routing.find import COURSES, SPACING_NM, Position, farthest_m, levels_around
 from seacruise.routing.lattice import Area, Lattice, chord_m
-from seacruise.routing.search import PIECE_M, Found, search
+from seacruise.routing.search import Found, search
 from seacruise.sea import Sea
 from seacruise.sea.water import FARTHEST_WAY_NM
 from seacruise.sea.zones import NO_ZONES, Zones
@@ -40,75 +40,6 @@ GRANTED: Final = 1.03
 """Share of the time within which a search without fine approaches must come near a port."""
 
 _NEVER_S: Final = 1e12
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Latest:
-    """What a reverse search found.
-
-    Attributes
-    ----------
-    departure
-        ``(n,)`` latest departure from each vertex, seconds since 1970; -inf where none is late enough.
-    after
-        ``(n,)`` the vertex after it, -1 for the end and where there is none.
-    settled
-        Vertices whose departure became final.
-    """
-
-    departure: Array
-    after: NDArray[np.int32]
-    settled: int
-
-    def path(self, start: int) -> NDArray[np.int64]:
-        """Vertices from ``start`` to the end; empty when it cannot be reached in time."""
-        if not np.isfinite(self.departure[start]):
-            return np.empty(0, dtype=np.int64)
-        vertices = [start]
-        while self.after[vertices[-1]] >= 0:
-            vertices.append(int(self.after[vertices[-1]]))
-        return np.array(vertices, dtype=np.int64)
-
-
-def latest_departures(
-    lattice: Lattice,
-    field: WindField,
-    speeds: SpeedTable,
-    deadline: float,
-    *,
-    earliest: float = -np.inf,
-    zones: Zones = NO_ZONES,
-) -> Latest:
-    """Latest departure from each vertex that arrives at the lattice's end by a deadline.
-
-    Leaving a vertex then, the forward search arrives in time; leaving a second later it does not. (Where
-    Handling.max_wind or a zone closes edges for a time, leaving earlier may be no way at all: the departure
-    told is then one that works along its own path, not the very latest.)
-
-    Parameters
-    ----------
-    deadline, earliest
-        Seconds since 1970; departures before ``earliest`` are not looked for.
-    zones
-        Closed areas.
-    """
-    from seacruise.routing import _backwards, _kernels
-
-    sources = lattice.sources()
-    first, order = _kernels.sort_rows(lattice.target, lattice.vertices)
-    return Latest(
-        *_backwards.search_back(
-            lattice.end,
-            deadline,
-            earliest,
-            lattice.points,
-            (first, sources[order]),
-            PIECE_M,
-            field.arrays,
-            speeds.arrays,
-            zones.arrays,
-        )
-    )
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -12,15 +12,22 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from seacruise.routing.backwards import latest_departures
 from seacruise.routing.field import SpeedTable, WindField
 from seacruise.routing.lattice import Lattice
-from seacruise.routing.search import PIECE_M, bound_ahead
+from seacruise.routing.search import PIECE_M, bound_ahead, search
 from seacruise.sea.zones import NO_ZONES, Zones
 
 Pauses = tuple[float, float, float]
 """Seconds that a tack costs, a gybe, and each degree of a turn."""
 
 NO_PAUSES: Final[Pauses] = (0.0, 0.0, 0.0)
+
+SLOWER: Final = 0.08
+"""Fewer changes of course are worth at most this share of the least time."""
+
+GOOD_S: Final = 30.0
+"""Nearer to the least time than this [s] no more changes are tried."""
 
 COURSE_DEG: Final = 0.25
 """Edges whose courses differ by less are one course: the angles of a stencil differ by more."""
@@ -78,9 +85,16 @@ def paths_by_changes(
     departure: float,
     *,
     most: int,
+    slower: float = SLOWER,
     piece_m: float = PIECE_M,
+    zones: Zones = NO_ZONES,
 ) -> list[tuple[int, float, NDArray[np.int64]]]:
     """Least time for each number of changes of course that a further one can better.
+
+    Parameters
+    ----------
+    slower
+        Passages that take longer than the fastest by more than this share are not looked for.
 
     Returns
     -------
@@ -90,37 +104,47 @@ def paths_by_changes(
     """
     from seacruise.routing import _turning
 
+    fastest = search(lattice, field, speeds, departure, piece_m=piece_m, zones=zones).arrival[lattice.end]
+    if not np.isfinite(fastest):
+        return []
+    deadline = departure + (fastest - departure) * (1.0 + slower)
+    latest = latest_departures(
+        lattice, field, speeds, deadline, earliest=departure, piece_m=piece_m, zones=zones
+    ).departure.copy()
+    latest[lattice.start] = fastest + GOOD_S
     source = lattice.sources()
     dx = lattice.x[lattice.target] - lattice.x[source]
     dy = lattice.y[lattice.target] - lattice.y[source]
     angle = np.round(np.degrees(np.arctan2(dx, dy)) / COURSE_DEG).astype(np.int64) % round(360 / COURSE_DEG)
     angles, course = np.unique(angle, return_inverse=True)
-    radians = np.radians(angles * COURSE_DEG)
-    across = np.outer(np.sin(radians), lattice.x) + np.outer(np.cos(radians), lattice.y)
-    order = np.argsort(across, axis=1, kind="stable").astype(np.int32)
-    arrival, before = _turning.fewest_changes(
+    radians = np.radians(angles[course] * COURSE_DEG)
+    along = np.sin(radians) * lattice.x[source] + np.cos(radians) * lattice.y[source]
+    order = np.lexsort((along, course))
+    rows = np.searchsorted(course[order], np.arange(angles.size + 1))
+    arrivals, by, edge, before = _turning.fewest_changes(
         lattice.start,
         lattice.end,
         departure,
         most,
+        latest,
+        rows,
         order,
         lattice.points,
-        lattice.edges,
-        course.astype(np.int32),
+        source,
+        lattice.target,
         piece_m,
         field.arrays,
         speeds.arrays,
+        zones.arrays,
     )
-    into = np.flatnonzero(lattice.target == lattice.end)
     found: list[tuple[int, float, NDArray[np.int64]]] = []
-    for changes in range(most + 1):
-        edge = int(into[np.argmin(arrival[changes, into])]) if into.size else -1
-        if edge < 0 or not arrival[changes, edge] < (found[-1][1] if found else np.inf):
+    for changes, arrival in enumerate(arrivals.tolist()):
+        if not arrival < (found[-1][1] if found else np.inf):
             continue
-        states = [changes * course.size + edge]
-        while (previous := int(before[divmod(states[-1], course.size)])) >= 0:
-            states.append(previous)
-        edges = np.array(states[::-1]) % course.size
-        path = np.append(source[edges[0]], lattice.target[edges])
-        found.append((changes, float(arrival[changes, edge]), path))
+        state, edges = int(by[changes]), []
+        while state >= 0:
+            edges.append(int(edge[state]))
+            state = int(before[state])
+        edges.reverse()
+        found.append((changes, arrival, np.append(source[edges[0]], lattice.target[edges])))
     return found

@@ -15,9 +15,10 @@ from hypothesis import strategies as st
 from seacruise.geodesy import great_circle_m
 from seacruise.progress import Job
 from seacruise.routing import _backwards, _kernels
+from seacruise.routing.backwards import latest_departures
 from seacruise.routing.field import COARSE_SLICE_S, Handling, speed_table, wind_field
 from seacruise.routing.lattice import Lattice
-from seacruise.routing.reach import Explored, Outing, explore, isochrones, latest_departures
+from seacruise.routing.reach import Explored, Outing, explore, isochrones
 from seacruise.routing.search import PIECE_M, search
 from seacruise.sea import Sea
 from seacruise.units import METRES_PER_NM, MS_PER_KNOT
