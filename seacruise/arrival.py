@@ -11,7 +11,15 @@ import numpy as np
 
 from seacruise.errors import InputError, NoPassageError
 from seacruise.model import Passage, PassageRequest
-from seacruise.passage import NOBODY, departure_of, how_of, plan, the_finder, waters_of
+from seacruise.passage import (
+    NOBODY,
+    departure_of,
+    first_look,
+    plan,
+    question_of,
+    the_finder,
+    waters_of,
+)
 from seacruise.progress import Job
 from seacruise.settings import Settings
 
@@ -73,24 +81,18 @@ def plan_arrival(
 def _guess(request: PassageRequest, best: Passage, deadline: datetime, settings: Settings) -> datetime | None:
     """Latest departure on the lattice on which the first passage was found; ``None`` if there is none."""
     from seacruise.routing.backwards import latest_departures
-    from seacruise.routing.field import COARSE_SLICE_S, wind_field
-    from seacruise.routing.find import Ledger, Question
+    from seacruise.routing.field import COARSE_SLICE_S
+    from seacruise.routing.find import Ledger
 
-    sea, (start, end) = waters_of(request, settings)
-    asked = Question(
-        sea,
-        request.wind,
-        request.yacht,
-        replace(how_of(request.options), refine=False),
-        (start.lat, start.lon),
-        (end.lat, end.lon),
-        best.departure.timestamp(),
-        request.zones,
-    )
+    sea, ends = waters_of(request, settings)
+    asked = first_look(question_of(request, sea, ends, best.departure))
     found = the_finder().fastest(asked, job=NOBODY, ledger=Ledger())
-    winds = wind_field(request.wind, slice_s=COARSE_SLICE_S, since=asked.departure)
     latest = latest_departures(
-        found.lattice, winds, found.speeds, deadline.timestamp(), earliest=asked.departure
+        found.lattice,
+        asked.winds(COARSE_SLICE_S),
+        found.speeds,
+        deadline.timestamp(),
+        earliest=asked.departure,
     ).departure[found.lattice.start]
     return datetime.fromtimestamp(float(latest), UTC) if np.isfinite(latest) else None
 

@@ -7,15 +7,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from datetime import UTC, datetime
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
+from seacruise.along import Position, distinct, sail_along
 from seacruise.errors import InputError, NoPassageError
 from seacruise.geodesy import great_circle_m
-from seacruise.model import Options, Place, check_options
+from seacruise.model import Options, PassageRequest, Place, check_options
 from seacruise.passage import (
     NOBODY,
     SAME_PLACE_NM,
@@ -29,6 +30,7 @@ from seacruise.progress import Job
 from seacruise.sea.zones import NO_ZONES, Zones
 from seacruise.settings import Settings
 from seacruise.units import METRES_PER_NM, SECONDS_PER_HOUR
+from seacruise.ways import cut_off, sail_alone, ways_out
 
 if TYPE_CHECKING:
     from seacruise.routing.reach import Explored, Isochrone, Outing
@@ -66,6 +68,8 @@ class ReachRequest:
         How she is sailed; of how it is searched, ``directions`` and ``spacing_nm`` count.
     zones
         Areas to keep out of.
+    check
+        Sail every way out again, as finished passages are; takes about as long as the search.
     """
 
     start: Port
@@ -76,6 +80,7 @@ class ReachRequest:
     stay_h: float = 0.0
     options: Options = field(default_factory=Options)
     zones: Zones = NO_ZONES
+    check: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,6 +105,11 @@ class PortReached:
         Whether out, stay and back fit into the time there is.
     beyond_forecast_h
         Hours of out and back that are sailed on wind held beyond the forecast.
+    resailed_h
+        Duration of the way there when it is sailed again step by step [h]; ``None`` where that was not
+        asked, or where she does not arrive like that.
+    land_free
+        Whether that way is clear of land; ``None`` where it was not sailed again.
     """
 
     port: Port
@@ -113,6 +123,8 @@ class PortReached:
     leave_by: datetime | None
     return_fits: bool
     beyond_forecast_h: float
+    resailed_h: float | None = None
+    land_free: bool | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -157,8 +169,10 @@ def reach(request: ReachRequest, *, ports: Sequence[Port], settings: Settings, j
         The job was cancelled.
     """
     from seacruise.routing import reach as routing
+    from seacruise.weather.beyond import extend
 
     _check(request)
+    request = replace(request, wind=extend(request.wind, request.options.beyond))
     departure = departure_of(request.wind, request.departure)
     check_cover(request.wind, request.start)
     job.report("sea", None, "Reading the sea")
@@ -166,7 +180,12 @@ def reach(request: ReachRequest, *, ports: Sequence[Port], settings: Settings, j
     start = place_of(request.start, sea.snap(request.start.lat, request.start.lon, name=request.start.name))
     asked = _outing(request, sea, start, departure)
     near = _within(asked, request.wind, start, ports)
-    explored = routing.explore(asked, [(place.lat, place.lon) for _, place in near], job)
+    waters = [(place.lat, place.lon) for _, place in near]
+    explored = routing.explore(asked, waters, job)
+    ways = ways_out(explored, waters)
+    for k in cut_off(explored, waters):
+        job.report("search", None, f"Searching the approach of {near[k][0].name}")
+        ways[k] = sail_alone(_passage(request, near[k][0]), asked, explored, (k, waters[k]), job)
     job.report("search", None, "Drawing lines of equal time")
     lines = routing.isochrones(
         explored.lattice,
@@ -180,6 +199,9 @@ def reach(request: ReachRequest, *, ports: Sequence[Port], settings: Settings, j
         for k in np.argsort(explored.arrival, kind="stable").tolist()
         if np.isfinite(explored.arrival[k])
     ]
+    if request.check:
+        way_of = {near[k][0]: way for k, way in ways.items()}
+        found = [_checked(request, asked, port, way_of[port.port], job) for port in found]
     others = sum(port.name != request.start.name for port in ports)
     return Reach(
         start,
@@ -236,10 +258,17 @@ def _outing(request: ReachRequest, sea: Sea, start: Place, departure: datetime) 
     from seacruise.routing.reach import Outing
 
     options = request.options
+    handling = how_of(options).handling
     return Outing(
         sea,
-        wind_field(request.wind, slice_s=COARSE_SLICE_S, since=departure.timestamp()),
-        speed_table(request.yacht, how_of(options).handling),
+        wind_field(
+            request.wind,
+            slice_s=COARSE_SLICE_S,
+            since=departure.timestamp(),
+            current=request.wind.current,
+            limits=handling.limits,
+        ),
+        speed_table(request.yacht, handling),
         (start.lat, start.lon),
         departure.timestamp(),
         request.hours * SECONDS_PER_HOUR,
@@ -297,6 +326,25 @@ def _port_reached(
     )
 
 
+def _passage(request: ReachRequest, port: Port) -> PassageRequest:
+    """Ask the passage to one of the ports."""
+    return PassageRequest(
+        request.start, port, request.yacht, request.wind, None, request.options, request.zones
+    )
+
+
+def _checked(
+    request: ReachRequest, asked: Outing, found: PortReached, way: Sequence[Position], job: Job
+) -> PortReached:
+    """Sail the way to a port again."""
+    job.check()
+    job.report("check", None, "Sailing the ways out again")
+    passage = _passage(request, found.port)
+    sailed = sail_along(passage, distinct(way), departure=asked.departure, sea=asked.sea)
+    hours = (float(sailed.time[-1]) - asked.departure) / SECONDS_PER_HOUR
+    return replace(found, resailed_h=hours if sailed.arrived else None, land_free=sailed.land_free)
+
+
 def _hours_drawn(hours: float) -> list[float]:
     """Choose the times for which a line is drawn: even hours, and the whole time."""
     step = next((s for s in _STEPS_H if hours / s <= _MOST_LINES), _STEPS_H[-1])
@@ -323,6 +371,8 @@ def _notices(request: ReachRequest, start: Place, found: Sequence[PortReached]) 
             f"More than {FAR_NM:g} nm from the water that is connected with the open sea, to which the time "
             f"counts: {', '.join(inland)}."
         )
+    if request.check:
+        said += check_notices(found)
     held = sum(port.beyond_forecast_h > 1 / 60 for port in found)
     if held:
         ways = "one port" if held == 1 else f"{held} ports"
@@ -331,3 +381,21 @@ def _notices(request: ReachRequest, start: Place, found: Sequence[PortReached]) 
             "forecast."
         )
     return tuple(said)
+
+
+def check_notices(found: Sequence[PortReached]) -> list[str]:
+    """Say what sailing the ways out again has shown."""
+    longer = [(port.resailed_h / port.out_h - 1.0) * 100.0 for port in found if port.resailed_h]
+    said = []
+    if longer:
+        said.append(
+            f"{len(longer)} ways out were sailed again: their times are {min(longer):+.1f} to "
+            f"{max(longer):+.1f} % off those told."
+        )
+    lost = [port.port.name for port in found if port.resailed_h is None]
+    if lost:
+        said.append(f"Sailed again she is becalmed on the way to {', '.join(lost)}.")
+    ashore = [port.port.name for port in found if port.land_free is False]
+    if ashore:
+        said.append(f"Sailed again the way touches land on the way to {', '.join(ashore)}.")
+    return said

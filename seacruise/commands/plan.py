@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+from collections.abc import Sequence
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -12,6 +13,7 @@ from seacruise.commands.common import add_format, cancellable_job, parse_path, p
 
 if TYPE_CHECKING:
     from seacruise.passage import Passage
+    from seacruise.tradeoff import Choice
     from seacruise.weather.wind import Wind
 
 EXPORTS = {
@@ -20,6 +22,7 @@ EXPORTS = {
     "geojson": ("F.geojson", "GeoJSON, for map programs"),
     "csv": ("F.csv", "the legs as a table"),
     "chart": ("F.png", "the passage on a chart"),
+    "pdf": ("F.pdf", "the passage plan to print: chart, weather along the way, legs"),
 }
 
 
@@ -40,6 +43,11 @@ def add_parser(commands: argparse._SubParsersAction[argparse.ArgumentParser]) ->
     ask.add_yacht(parser, required=True)
     ask.add_search_options(parser)
     ask.add_avoid(parser)
+    parser.add_argument(
+        "--trade-off",
+        action="store_true",
+        help="also tell the least time for each smaller number of course changes",
+    )
     files = parser.add_argument_group("files to write (an existing file of that name is replaced)")
     for name, (metavar, text) in EXPORTS.items():
         files.add_argument(f"--{name}", type=parse_path, metavar=metavar, help=text)
@@ -73,10 +81,15 @@ def run(arguments: argparse.Namespace) -> int:
             passage = plan_arrival(asked, arguments.arrive_by, settings=settings, job=job)
         else:
             passage = plan(asked, settings=settings, job=job)
+        choices: tuple[Choice, ...] | None = None
+        if arguments.trade_off:
+            from seacruise.tradeoff import trade_off
+
+            choices = trade_off(asked, passage, settings=settings, job=job)
     # The answer first: a full disk must not cost the sailor what was found. Nor must a reader of it who
     # leaves early (| head) cost the files.
     try:
-        show(passage, as_json=arguments.format == "json")
+        show(passage, as_json=arguments.format == "json", choices=choices)
     finally:
         for name, path in targets.items():
             export(name, passage, path, wind=wind)
@@ -84,18 +97,21 @@ def run(arguments: argparse.Namespace) -> int:
     return 0
 
 
-def show(passage: Passage, *, as_json: bool) -> None:
+def show(passage: Passage, *, as_json: bool, choices: Sequence[Choice] | None = None) -> None:
     """Print a passage on standard output; with JSON its notices go to standard error."""
     if as_json:
-        from seacruise.export.jsonform import dumps, passage_to_json
+        from seacruise.export.jsonform import dumps, passage_to_json, trade_off_to_json
 
-        print(dumps(passage_to_json(passage)))
+        more = {} if choices is None else {"trade_off": trade_off_to_json(choices)}
+        print(dumps(passage_to_json(passage) | more))
         for notice in passage.notices:
             say(f"Note: {notice}")
     else:
-        from seacruise.export.textform import passage_to_text
+        from seacruise.export.textform import passage_to_text, trade_off_to_text
 
         print(passage_to_text(passage, now=datetime.now(UTC)))
+        if choices is not None:
+            print(f"\n{trade_off_to_text(choices)}")
 
 
 def export(name: str, passage: Passage, path: Path, *, wind: Wind) -> None:
@@ -106,10 +122,11 @@ def export(name: str, passage: Passage, path: Path, *, wind: Wind) -> None:
     InputError
         The file cannot be written.
     """
-    from seacruise.export import chart, csvform, geojson, gpx, kml
+    from seacruise.export import chart, csvform, geojson, gpx, kml, pdf
 
-    if name == "chart":
-        chart.write_chart(passage, path, wind=wind)
+    if name in {"chart", "pdf"}:
+        draw = chart.write_chart if name == "chart" else pdf.write_pdf
+        draw(passage, path, wind=wind)
         return
     write = {
         "gpx": gpx.write_gpx,

@@ -4,11 +4,15 @@ from __future__ import annotations
 
 import json
 import math
+from collections.abc import Sequence
 from datetime import UTC, datetime, timedelta
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from seacruise.passage import SCHEMA, Passage, Place, Waypoint
 from seacruise.weather.wind import Forecast
+
+if TYPE_CHECKING:
+    from seacruise.tradeoff import Choice
 
 STAGES = ("sea", "lattice", "wind", "search", "refine", "check")
 
@@ -34,8 +38,9 @@ def passage_to_json(passage: Passage) -> dict[str, Any]:
 
     ``start`` and ``end`` are where the passage begins and ends, that is the ports as snapped to water.
     The keys are fixed by the schema. Only what was asked for besides adds one: in a current there are
-    ``sog_kn``, ``steer_deg``, ``current_kn`` and ``current_to_deg`` at each waypoint, and where turning
-    costs time there is ``manoeuvre_h``.
+    ``sog_kn``, ``steer_deg``, ``current_kn`` and ``current_to_deg`` at each waypoint, where turning
+    costs time there is ``manoeuvre_h``, and where the last wind is not held after the forecast its
+    ``beyond`` says what is done (``fade``, ``refuse``).
     """
     search = passage.search
     turning = {"manoeuvre_h": number(passage.manoeuvre_h, 4)} if passage.manoeuvre_h > 0.0 else {}
@@ -58,7 +63,10 @@ def passage_to_json(passage: Passage) -> dict[str, Any]:
         "motor_h": number(passage.motor_h, 4),
         "fuel_l": number(passage.fuel_l, 2),
         "beyond_forecast_h": number(passage.beyond_forecast_h, 4),
-        "forecast": forecast_to_json(passage.forecast),
+        "forecast": {
+            **forecast_to_json(passage.forecast),
+            **({} if passage.beyond == "hold" else {"beyond": passage.beyond}),
+        },
         "waypoints": [_waypoint(waypoint) for waypoint in passage.waypoints],
         "lower_bound_h": number(passage.lower_bound_h, 4),
         "checks": {
@@ -76,6 +84,20 @@ def passage_to_json(passage: Passage) -> dict[str, Any]:
             "seconds": {stage: number(search.seconds.get(stage, 0.0), 6) for stage in STAGES},
         },
     }
+
+
+def trade_off_to_json(choices: Sequence[Choice]) -> list[dict[str, Any]]:
+    """Put the choices between time and changes of course into what ``--trade-off`` adds to a passage."""
+    return [
+        {
+            "course_changes": choice.course_changes,
+            "duration_h": number(choice.duration_h, 4),
+            "distance_nm": number(choice.distance_nm, 3),
+            "tacks": choice.tacks,
+            "gybes": choice.gybes,
+        }
+        for choice in choices
+    ]
 
 
 def forecast_to_json(forecast: Forecast) -> dict[str, Any]:

@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from datetime import UTC, datetime, timedelta
+from typing import TYPE_CHECKING
 
 from seacruise.geodesy import format_position
 from seacruise.passage import Passage, Place, Waypoint
 from seacruise.units import SECONDS_PER_HOUR
 from seacruise.weather.wind import Forecast
+
+if TYPE_CHECKING:
+    from seacruise.tradeoff import Choice
 
 NOTICE = "A planning aid, not for navigation."
 """Stands in every file that leaves the program."""
@@ -85,11 +90,14 @@ def _summary(passage: Passage, now: datetime) -> list[str]:
         ("Lower bound", bound),
         ("Checks", _checks(passage)),
     ]
+    if passage.manoeuvre_h > 0:
+        rows.insert(10, ("Lost in turning", format_duration(passage.manoeuvre_h)))
     if passage.motor_h > 0:
         engine = f"{format_duration(passage.motor_h)}, {passage.fuel_l:.1f} l of fuel"
         rows.insert(9, ("Engine", engine))
     if passage.beyond_forecast_h > 0:
-        held = f"{format_duration(passage.beyond_forecast_h)} sailed on the last known wind"
+        fading = ", fading to the usual" if passage.beyond == "fade" else ""
+        held = f"{format_duration(passage.beyond_forecast_h)} sailed on the last known wind{fading}"
         rows.insert(-2, ("Beyond forecast", held))
     return [f"{title(passage)}: {format_duration(passage.duration_h)}", ""] + [
         f"  {label:<16} {text}" for label, text in rows
@@ -144,6 +152,16 @@ def _angle(waypoint: Waypoint) -> str:
     return f"{waypoint.twa_deg:.0f}° {_SIDE[waypoint.tack]}".rstrip()
 
 
+def _in_current(waypoint: Waypoint) -> str:
+    """Say what the current does to a leg: ``  steer 012°, 6.4 kn over ground, current 0.5 kn to 085°``."""
+    if waypoint.current_kn is None or waypoint.current_to_deg is None or waypoint.steer_deg is None:
+        return ""
+    return (
+        f"  steer {format_course(waypoint.steer_deg)}, {waypoint.sog_kn:.1f} kn over ground, "
+        f"current {waypoint.current_kn:.1f} kn to {format_course(waypoint.current_to_deg)}"
+    )
+
+
 def _legs_table(passage: Passage) -> str:
     head = (
         f"{'':3} {'Time (UTC)':<21}  {'Position':<20}  {'Course':>6}  {'Dist':>8}  {'TWS':>5}  {'TWD':>4}  "
@@ -156,5 +174,18 @@ def _legs_table(passage: Passage) -> str:
             wind = f"{waypoint.tws_kn:2.0f} kn  {format_course(waypoint.twd_deg)}  {_angle(waypoint):<10}"
             line += f"  {format_course(waypoint.course_deg):>6}  {waypoint.leg_nm:5.1f} nm  {wind}  "
             line += f"{waypoint.boat_speed_kn:4.1f} kn{'  engine' if waypoint.motor else ''}"
+            line += _in_current(waypoint)
         lines.append(line.rstrip())
+    return "\n".join(lines)
+
+
+def trade_off_to_text(choices: Sequence[Choice]) -> str:
+    """Table of the least time for each number of changes of course."""
+    lines = ["Fewer changes of course", f"{'Changes':>8}  {'Duration':>11}  {'Distance':>9}  Tacks and gybes"]
+    for choice in choices:
+        turns = f"{choice.tacks} and {choice.gybes}"
+        duration = format_duration(choice.duration_h)
+        lines.append(
+            f"{choice.course_changes:8d}  {duration:>11}  {choice.distance_nm:6.1f} nm  {turns}".rstrip()
+        )
     return "\n".join(lines)
