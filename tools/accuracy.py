@@ -22,7 +22,7 @@ def main() -> None:
     sea = open_sea()
     for name, make in PASSAGES.items():
         case = make()
-        asked = question(sea, case.wind, case.yacht, case.start, case.end)
+        asked = question(sea, case.wind, case.yacht, case.start, case.end, current=case.current)
         line = fastest(asked).line
         shown = float(resail(asked, sail_boards(asked, line), fuel_rate_l_h=0.0).time[-1]) - T0
         coarse = fastest(replace(asked, how=replace(PRECISE, refine=False))).line.seconds

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
@@ -63,3 +64,21 @@ class Index:
         found = np.full(i.shape, -1, dtype=np.int64)
         found[inside] = self._table[r[inside], c[inside]]
         return found
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Patch:
+    """Vertices of one level: where they lie on the lattice, and their numbers ``(n,)``."""
+
+    index: Index
+    numbers: NDArray[np.int32]
+
+
+def numbers_above(above: Patch | None, i: Whole, j: Whole) -> NDArray[np.int32]:
+    """Numbers of the points ``(m,)`` that a level has in common with the one above, -1 for all others."""
+    numbers = np.full(i.size, -1, dtype=np.int32)
+    if above is not None and above.numbers.size:
+        even = np.flatnonzero((i % 2 == 0) & (j % 2 == 0))
+        place = above.index.at(i[even] // 2, j[even] // 2)
+        numbers[even[place >= 0]] = above.numbers[place[place >= 0]]
+    return numbers

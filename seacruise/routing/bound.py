@@ -21,7 +21,7 @@ from seacruise.weather.wind import Wind
 
 Array = NDArray[np.float64]
 
-STEP_S: Final = 1800.0
+STEP_S: Final = 3600.0
 
 SAFETY: Final = 1.003
 """Covers what sampling courses, winds and places can miss of a maximum."""
@@ -66,13 +66,15 @@ def lower_bound_s(
     bearing = _bearing(lat, lon, *end)
     closing = _support(speeds)
     left, t = distance, 0.0
+    before: tuple[Array, Array] | None = None
     while left > 0.0 and t < found_s:
         near = np.abs(to_end - left) <= cell + distance / _RINGS
         near = near if near.any() else np.ones_like(near)
         step = min(STEP_S, found_s - t)
         best = 0.0
-        for when in (departure + t, departure + t + step):
-            u, v = wind.at(when, lat[near], lon[near])
+        after = wind.at(departure + t + step, lat, lon)
+        for u_all, v_all in (before or wind.at(departure, lat, lon), after):
+            u, v = u_all[near], v_all[near]
             if drift > 0.0:
                 tws = float(np.hypot(u, v).max())
                 best = max(best, speeds.fastest(tws + drift) + drift)
@@ -80,6 +82,7 @@ def lower_bound_s(
                 best = max(best, float(_look_up(closing, u, v, bearing[near]).max()))
         if best * SAFETY * step >= left:
             return t + left / (best * SAFETY)
+        before = after
         left -= best * SAFETY * step
         t += step
     return min(t, found_s)

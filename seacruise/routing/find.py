@@ -235,9 +235,9 @@ class Finder:
 
     def _speed_table(self, polar: Polar, handling: Handling) -> SpeedTable:
         """Give the table used last, or make another."""
-        if self._speeds is None or self._speeds[0] is not polar or self._speeds[1] != handling:
-            self._speeds = (polar, handling, speed_table(polar, handling))
-        return self._speeds[2]
+        if (kept := self._speeds) is None or kept[0] is not polar or kept[1] != handling:
+            self._speeds = kept = (polar, handling, speed_table(polar, handling))
+        return kept[2]
 
     def _precise(
         self, asked: Question, waters: Waters, coarse: WindField, job: Job, ledger: Ledger
@@ -351,6 +351,11 @@ def farthest_m(
     lat, lon = np.meshgrid(lat, lon, indexing="ij")
     around = np.sum([great_circle_m(lat, lon, *end) for end in ends], axis=0)
     cell = (1.0 / per_lat if per_lat else 0.0) * 111_200.0
+    first = min(int((departure - begin) / step), u.shape[0] - 1)
+    last = min(int((departure + seconds - begin) / step), u.shape[0] - 1)
+    tws = np.hypot(u[first : last + 1], v[first : last + 1])
+    changes = begin + np.arange(first + 1, last + 1) * step
+    lasting = np.diff([departure, *np.clip(changes, departure, departure + seconds), departure + seconds])
     reach = wind.fastest(speeds) * seconds
     # Winds that are too far away to be met count for nothing, which makes the reach smaller: once more.
     for _ in range(3):
@@ -358,13 +363,10 @@ def farthest_m(
         if not inside.any():
             # A grid so coarse that it has no node near: any of its winds may blow here.
             inside[:] = True
-        reach, t = 0.0, departure
-        while t < departure + seconds:
-            k = min(int((t - begin) / step), u.shape[0] - 1)
-            until = min(begin + (k + 1) * step if k < u.shape[0] - 1 else math.inf, departure + seconds)
-            strongest = float(np.hypot(u[k][inside], v[k][inside]).max(initial=0.0))
-            reach += wind.fastest(speeds, strongest) * (until - t)
-            t = until
+        strongest = tws[:, inside].max(axis=1).tolist()
+        reach = sum(
+            wind.fastest(speeds, most) * span for most, span in zip(strongest, lasting.tolist(), strict=True)
+        )
     return reach
 
 

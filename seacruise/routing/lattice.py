@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Final
 
 import numpy as np
@@ -87,12 +88,18 @@ class Lattice:
 
     def edges_in_degrees(self) -> NDArray[np.float32]:
         """Edges ``(m, 4)`` as lat, lon, lat, lon [degrees], for drawing."""
-        a, b = self.sources(), self.target
-        return np.stack([self.lat[a], self.lon[a], self.lat[b], self.lon[b]], axis=1).astype(np.float32)
+        return _edges_in_degrees(self)
 
     def sources(self) -> NDArray[np.int32]:
         """Source vertex of each edge, ``(m,)``."""
         return np.repeat(np.arange(self.vertices, dtype=np.int32), np.diff(self.first))
+
+
+@lru_cache(maxsize=4)
+def _edges_in_degrees(lattice: Lattice) -> NDArray[np.float32]:
+    """Put edges together once: every passage on a lattice shows the same ones."""
+    place = np.stack([lattice.lat, lattice.lon], axis=1).astype(np.float32)
+    return np.hstack([place[lattice.sources()], place[lattice.target]])
 
 
 def build(
@@ -182,14 +189,6 @@ def grid(
     return grower.finish(None, np.empty((0, 2)))
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class _Patch:
-    """Vertices of one level: where they lie on the lattice, and their numbers."""
-
-    index: axial.Index
-    numbers: NDArray[np.int32]
-
-
 class _Grower:
     """Collects vertices and edges level by level, for `build` and `grid`.
 
@@ -244,8 +243,8 @@ class _Grower:
             )
 
     def _grow(
-        self, above: _Patch | None, level: int, offsets: NDArray[np.int64], area: Area, levels: Levels
-    ) -> _Patch:
+        self, above: axial.Patch | None, level: int, offsets: NDArray[np.int64], area: Area, levels: Levels
+    ) -> axial.Patch:
         """Add the vertices of a level that are not there yet, and the edges of its stencil."""
         side = self.spacing / 2**level
         self.finest = min(self.finest, side)
@@ -255,7 +254,7 @@ class _Grower:
         wanted = self._wet(x, y)
         wanted[wanted] = area.holds(x[wanted], y[wanted])
         i, j, x, y = i[wanted], j[wanted], x[wanted], y[wanted]
-        numbers = _shared_numbers(above, i, j)
+        numbers = axial.numbers_above(above, i, j)
         fresh = numbers < 0
         number = int(np.count_nonzero(fresh))
         if self.count + number > MOST_VERTICES or i.size * len(offsets) > MOST_EDGES:
@@ -265,7 +264,7 @@ class _Grower:
         self.y.append(y[fresh])
         self.born.append(np.full(number, level, dtype=np.int8))
         self.count += number
-        patch = _Patch(axial.Index(i, j), numbers)
+        patch = axial.Patch(axial.Index(i, j), numbers)
         self._join(patch, i, j, offsets)
         return patch
 
@@ -349,7 +348,7 @@ class _Grower:
         room = room_m(radius, side * self.mesh.longest, y)
         return np.asarray((value != k.LAND) & (rings * self.sea.water.cell < room))
 
-    def _join(self, patch: _Patch, i: axial.Whole, j: axial.Whole, offsets: NDArray[np.int64]) -> None:
+    def _join(self, patch: axial.Patch, i: axial.Whole, j: axial.Whole, offsets: NDArray[np.int64]) -> None:
         """Add the edges that cross no land, both ways; half of the stencil finds them all."""
         xs, ys = np.concatenate(self.x), np.concatenate(self.y)
         half = offsets[: len(offsets) // 2]
@@ -417,9 +416,10 @@ class _Grower:
         else:
             born = np.concatenate(self.born)
             around = 4.2 * self.spacing * self.mesh.longest
+            close = np.flatnonzero(away < around)
             near = np.empty(0, dtype=np.int64)
             for level in range(round(math.log2(self.spacing / self.finest)) + 1):
-                ring = np.flatnonzero((away < around / 2**level) & (born <= level))
+                ring = close[(away[close] < around / 2**level) & (born[close] <= level)]
                 if level == 0 and ring.size < _JOINED:
                     ring = np.flatnonzero(born == 0)
                 near = np.union1d(near, ring[np.argsort(away[ring], kind="stable")[:_JOINED]])
@@ -434,13 +434,3 @@ def _too_fine() -> InputError:
         f"A lattice of more than {MOST_VERTICES:,} vertices is too fine for this computer; choose a wider "
         "spacing or a shorter passage."
     )
-
-
-def _shared_numbers(above: _Patch | None, i: axial.Whole, j: axial.Whole) -> NDArray[np.int32]:
-    """Numbers of the points that a level has in common with the one above it, -1 for all others."""
-    numbers = np.full(i.size, -1, dtype=np.int32)
-    if above is not None and above.numbers.size:
-        even = np.flatnonzero((i % 2 == 0) & (j % 2 == 0))
-        place = above.index.at(i[even] // 2, j[even] // 2)
-        numbers[even[place >= 0]] = above.numbers[place[place >= 0]]
-    return numbers

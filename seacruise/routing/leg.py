@@ -198,7 +198,7 @@ def leg_cost(
 
 
 def leg_marks(start: Position, end: Position, departure: float, given: Conditions) -> Marks:
-    """Sail a leg and tell what was met along it, at least every half mile."""
+    """Sail a leg and tell what was met along it, about every half mile."""
     x, y = _line(start, end, _MARK_M)
     lat, lon = from_mercator(x, y)
     distance = rhumb_distance_m(start[0], start[1], lat, lon)

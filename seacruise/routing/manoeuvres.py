@@ -245,10 +245,11 @@ def merge_straight(course: Course, sea: Sea, zones: Zones) -> Course:
         before, after = np.degrees(np.arctan2(np.diff(x), np.diff(y)))
         turn = abs((after - before + 180.0) % 360.0 - 180.0)
         alike = course.short_tacked[k] == course.short_tacked[k - 1]
-        joined = np.array([[x[0], y[0], x[2], y[2]]])
-        free = bool(sea.clear(joined)[0]) and not bool(zones.close(joined, -np.inf, np.inf)[0])
-        if turn > SAME_COURSE_DEG or not alike or not free:
-            keep.append(k)
+        if turn <= SAME_COURSE_DEG and alike:
+            joined = np.array([[x[0], y[0], x[2], y[2]]])
+            if bool(sea.clear(joined)[0]) and not bool(zones.close(joined, -np.inf, np.inf)[0]):
+                continue
+        keep.append(k)
     keep.append(course.x.size - 1)
     return Course(course.x[keep], course.y[keep], course.short_tacked[keep[:-1]])
 

@@ -27,7 +27,7 @@ from seacruise.units import METRES_PER_NM
 
 Array = NDArray[np.float64]
 
-PIECE_M: Final = 2 * METRES_PER_NM
+PIECE_M: Final = METRES_PER_NM
 """Longest part of a leg that is sailed in the wind of its middle while relaxing [m]."""
 
 CORRIDOR_SPACING_NM: Final = 2.0

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
@@ -179,13 +180,15 @@ def _table(asked: Question, *, hull: bool) -> tuple[Array, float, float]:
     strongest = math.sqrt(float((wind.u.astype(np.float64) ** 2 + wind.v.astype(np.float64) ** 2).max()))
     if asked.current is not None:
         strongest += float(np.hypot(asked.current.u, asked.current.v).max())
-    tws = np.arange(math.ceil(strongest * PER_TWS) + 2) / PER_TWS
-    twa = np.linspace(0.0, 180.0, int(180 * PER_TWA) + 1)
-    if hull:
-        table = hull_speed(asked.polar, tws, twa)
-    else:
-        table = asked.polar.speed(tws[:, None], twa[None, :])
+    table = _tabulated(asked.polar, math.ceil(strongest * PER_TWS) + 2, hull)
     return np.ascontiguousarray(table * asked.how.handling.share), PER_TWS, PER_TWA
+
+
+@lru_cache(maxsize=4)
+def _tabulated(polar: Polar, rows: int, hull: bool) -> Array:
+    tws = np.arange(rows) / PER_TWS
+    twa = np.linspace(0.0, 180.0, int(180 * PER_TWA) + 1)
+    return hull_speed(polar, tws, twa) if hull else polar.speed(tws[:, None], twa[None, :])
 
 
 def is_land_free(course: Course, sea: Sea) -> bool:

@@ -28,6 +28,8 @@ APPROACH_NM: Final = 1.0
 
 SECTORS: Final = 8
 
+_STEPS_AT_ONCE: Final = 32
+
 Array = NDArray[np.float64]
 
 
@@ -112,12 +114,19 @@ class Sea:
         The last check of a passage. It shares nothing with `clear`: where there is a fine coast its
         polygons and a search tree are asked, elsewhere the cells of the global mask under each sample.
         """
-        steps = np.stack(
-            [np.stack([lon[:-1], lat[:-1]], axis=1), np.stack([lon[1:], lat[1:]], axis=1)], axis=1
-        )
         fine = coast.covers(lat, lon)
         dry = ~fine & (self.water.at(*to_mercator(lat, lon)) == 0)
-        return np.asarray(coast.land_on_lines(steps) | dry[:-1] | dry[1:])
+        touched = dry[:-1] | dry[1:]
+        # Most of a track is far from land: only the parts that touch it are looked at step by step.
+        track = np.stack([lon, lat], axis=1)
+        parts = np.minimum(
+            np.arange(0, len(track) - 1, _STEPS_AT_ONCE)[:, None] + np.arange(_STEPS_AT_ONCE + 1),
+            len(track) - 1,
+        )
+        steps = parts[coast.land_on_lines(track[parts])][:, :-1].ravel()
+        steps = np.unique(steps[steps < touched.size])
+        touched[steps] |= coast.land_on_lines(np.stack([track[steps], track[steps + 1]], axis=1))
+        return np.asarray(touched)
 
     def snap(self, lat: float, lon: float, *, name: str = "") -> Snap:
         """Water nearest to a port: connected with the open sea, and not itself in a cell with a shore.

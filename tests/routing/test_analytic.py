@@ -13,7 +13,7 @@ from tests.routing.worlds import T0, fastest, open_sea, question
 @pytest.mark.parametrize("name", PASSAGES)
 def test_time_shown_is_the_known_one(name: str) -> None:
     case = PASSAGES[name]()
-    asked = question(open_sea(), case.wind, case.yacht, case.start, case.end)
+    asked = question(open_sea(), case.wind, case.yacht, case.start, case.end, current=case.current)
     line = fastest(asked).line
     sailed = resail(asked, sail_boards(asked, line), fuel_rate_l_h=0.0)
     assert sailed.arrived

@@ -14,23 +14,17 @@ from seacruise.ports import find_port, load_ports
 from seacruise.routing import classic, stencil
 from seacruise.routing import lattice as lattices
 from seacruise.routing.field import Handling, speed_table, wind_field
-from seacruise.routing.lattice import Area, Lattice, Levels
+from seacruise.routing.lattice import Lattice, Levels
 from seacruise.routing.search import connected, search
 from seacruise.sea import Sea, coast
 from seacruise.units import METRES_PER_NM
+from tests.routing.sounds import ellipse
 from tests.routing.worlds import T0, Array, open_sea, raster_of, sloop, steady_wind
 
 SOUTH, NORTH = (56.5, 18.5), (57.6, 19.5)
 KARLSKRONA, SWINOUJSCIE = (56.155, 15.595), (53.93, 14.28)
 WESTERVIK, KALMAR_SOUTH = (57.72, 16.75), (56.15, 16.25)
 NYNAESHAMN, NORRTAELJE = (58.87, 17.97), (59.70, 19.10)
-
-
-def ellipse(start: tuple[float, float], end: tuple[float, float], stretch: float = 1.2) -> Area:
-    x, y = to_mercator([start[0], end[0]], [start[1], end[1]])
-    return Area(
-        "ellipse", np.array([[x[0], y[0], x[1], y[1]]]), stretch * float(great_circle_m(*start, *end))
-    )
 
 
 def lattice_between(
@@ -261,6 +255,11 @@ def test_a_level_halves_the_spacing_near_the_shore_only(baltic: Sea) -> None:
     assert coarse.vertices < fine.vertices < 4 * coarse.vertices
     # The coarse vertices are all still there.
     np.testing.assert_allclose(fine.x[: coarse.vertices - 2], coarse.x[:-2])
+
+
+def test_a_port_on_open_water_needs_no_way_out() -> None:
+    levels = Levels(1, 2, (np.empty((0, 4)), np.empty((0, 4))))
+    assert lattice_between(open_sea(), levels=levels).vertices == lattice_between(open_sea()).vertices
 
 
 # ----------------------------------------------------------------------------------------- monotonicity

@@ -14,8 +14,12 @@ from seacruise.routing import stencil
 RINGS = ((6, 60.0), (12, 30.0), (24, 19.1), (36, 13.9), (60, 10.9), (72, 8.9), (108, 7.6), (132, 6.6))
 
 
-def courses_of(offsets: NDArray[np.int64]) -> NDArray[np.float64]:
-    x, y = stencil.plane(offsets)
+# The moves of R2 and R3 on squares: courses, widest gap [degrees].
+MOVES = ((8, 45.0), (16, 26.57), (32, 18.43))
+
+
+def courses_of(offsets: NDArray[np.int64], mesh: stencil.Mesh = stencil.TRIANGLES) -> NDArray[np.float64]:
+    x, y = stencil.plane(offsets, mesh)
     return np.asarray(np.sort(np.degrees(np.arctan2(x, y)) % 360.0))
 
 
@@ -54,3 +58,40 @@ def test_second_ring_is_what_r1_published() -> None:
 def test_other_numbers_of_courses_are_refused() -> None:
     with pytest.raises(ValueError, match="48"):
         stencil.triangular(48)
+
+
+# ----------------------------------------------------------------------------------------- rectangular
+
+
+@pytest.mark.parametrize(("courses", "gap"), MOVES)
+def test_moves_give_courses_and_gaps(courses: int, gap: float) -> None:
+    angles = courses_of(stencil.rectangular(courses), stencil.SQUARES)
+    assert angles.size == np.unique(np.round(angles, 6)).size == courses
+    gaps = np.diff(np.append(angles, angles[0] + 360.0))
+    assert gaps.max() == pytest.approx(gap, abs=0.01)
+    assert tuple(n for n, _ in MOVES) == stencil.RECTANGULAR_COURSES
+
+
+def test_sixteen_courses_are_the_king_s_and_the_knight_s() -> None:
+    king = {(i, j) for i in (-1, 0, 1) for j in (-1, 0, 1)} - {(0, 0)}
+    knight = {(a * s, b * t) for a, b in ((1, 2), (2, 1)) for s in (-1, 1) for t in (-1, 1)}
+    assert set(map(tuple, stencil.rectangular(8).tolist())) == king
+    assert set(map(tuple, stencil.rectangular(16).tolist())) == king | knight
+
+
+@pytest.mark.parametrize("courses", stencil.RECTANGULAR_COURSES)
+def test_half_of_the_moves_is_the_other_half_turned_round(courses: int) -> None:
+    offsets = stencil.rectangular(courses)
+    np.testing.assert_array_equal(offsets[courses // 2 :], -offsets[: courses // 2])
+    # By course on any rectangle, not on squares only.
+    angles = np.degrees(np.arctan2(*stencil.plane(offsets, stencil.Mesh(0.0, 1.7)))) % 360.0
+    assert (np.diff(angles) > 0.0).all()
+
+
+def test_kinds_have_their_own_moves() -> None:
+    assert stencil.of("triangular", 24) is stencil.triangular(24)
+    assert stencil.of("rectangular", 16) is stencil.rectangular(16)
+    assert stencil.mesh_of("triangular") == stencil.TRIANGLES
+    assert stencil.mesh_of("rectangular") == stencil.SQUARES
+    with pytest.raises(ValueError, match="24"):
+        stencil.of("rectangular", 24)

@@ -17,7 +17,7 @@ from seacruise.routing.lattice import Lattice
 from seacruise.sea import Sea
 from seacruise.sea.raster import WaterRaster
 from seacruise.units import METRES_PER_NM, MS_PER_KNOT
-from seacruise.weather.wind import Forecast, Wind, from_direction
+from seacruise.weather.wind import Current, Forecast, Wind, from_direction
 from seacruise.yacht.polar import Polar
 
 Array = NDArray[np.float64]
@@ -109,8 +109,9 @@ def question(
     *,
     how: How = PRECISE,
     departure: float = T0,
+    current: Current | None = None,
 ) -> Question:
-    return Question(sea, wind, polar, how, start, end, departure)
+    return Question(sea, wind, polar, how, start, end, departure, current=current)
 
 
 def fastest(asked: Question) -> Fastest:
