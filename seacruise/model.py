@@ -11,9 +11,10 @@ from numpy.typing import NDArray
 
 from seacruise.errors import InputError
 from seacruise.ports import Port
-from seacruise.routing.stencil import COURSES
+from seacruise.routing.stencil import COURSES, RECTANGULAR_COURSES
 from seacruise.sea.zones import NO_ZONES, Zones
 from seacruise.units import SECONDS_PER_HOUR
+from seacruise.weather.beyond import BEYOND, Beyond
 
 if TYPE_CHECKING:
     from seacruise.weather.wind import Current, Forecast, Wind
@@ -62,6 +63,14 @@ class Options:
         Tacks and gybes the crew wants to make at the most; boards get longer where the water allows it.
     may_wait_h
         She may leave up to this much later [h] where that brings her there earlier or at all.
+    lattice
+        ``"rectangular"`` has 8, 16 or 32 courses (R2, R3); reach knows the triangular one only.
+    safety_radius_nm, safety_levels
+        Within this distance of shores and zones [nm] the lattice is refined ``2 ** safety_levels`` times
+        (R3).
+    beyond
+        After the end of the forecast ``"hold"`` the last wind (R1), ``"fade"`` it to the usual, or
+        ``"refuse"`` to sail on; see `seacruise.weather.beyond`.
     """
 
     preset: Preset = "precise"
@@ -84,6 +93,10 @@ class Options:
     board_h: float | None = None
     most_turns: int | None = None
     may_wait_h: float = 0.0
+    lattice: Literal["triangular", "rectangular"] = "triangular"
+    safety_radius_nm: float | None = None
+    safety_levels: int = 0
+    beyond: Beyond = "hold"
 
     @property
     def turning_costs(self) -> bool:
@@ -98,6 +111,8 @@ def check_options(options: Options) -> None:
         if value is not None and not low <= value <= high:
             raise InputError(f"{what} of {value:g} is out of range; give {low:g} to {high:g}.")
 
+    if options.beyond not in BEYOND:
+        raise InputError(f"After the forecast one can {', '.join(BEYOND)}, not {options.beyond!r}.")
     within(options.percent_of_polar, 10.0, 200.0, "A percentage of the polar")
     within(options.spacing_nm, 0.05, 100.0, "A spacing [nm]")
     within(options.max_wind_kn, 1.0, 200.0, "A wind limit [kn]")
@@ -112,9 +127,16 @@ def check_options(options: Options) -> None:
     within(options.motor_below_kn, 0.0, 50.0, "A boat speed [kn] to start the engine below")
     within(options.motor_speed_kn, 0.1, 50.0, "A speed under engine [kn]")
     within(options.fuel_rate_l_h, 0.0, 1000.0, "A fuel rate [l/h]")
-    if options.directions is not None and options.directions not in COURSES:
-        choice = ", ".join(map(str, COURSES[1:]))
-        raise InputError(f"A lattice cannot have {options.directions} directions; choose one of {choice}.")
+    within(options.safety_radius_nm, 0.1, 15.0, "A radius of safety zones [nm]")
+    within(options.safety_levels, 0, 6, "A number of safety levels")
+    if (options.safety_radius_nm is None) != (options.safety_levels == 0):
+        raise InputError("Safety zones need both, a radius and a number of levels from 1 to 6.")
+    known = COURSES[1:] if options.lattice == "triangular" else RECTANGULAR_COURSES
+    if options.directions is not None and options.directions not in known:
+        choice = ", ".join(map(str, known))
+        raise InputError(
+            f"A {options.lattice} lattice cannot have {options.directions} directions; choose {choice}."
+        )
     if options.preset == "classic" and options.directions not in {None, 12}:
         raise InputError("The classic preset has 12 directions; choose --preset precise for more.")
     if options.preset == "classic" and options.turning_costs:
@@ -256,7 +278,8 @@ class Passage:
     """The answer: a passage that was sailed again, leg by leg, before anyone is shown it.
 
     Times are UTC. ``notices`` are sentences a sailor must read with it (snapped ports, held wind,
-    practice weather); ``manoeuvre_h`` is the part of the duration that turning took; ``lattice_edges``
+    practice weather); ``manoeuvre_h`` is the part of the duration that turning took; ``beyond`` is what was
+    made of the wind after the forecast, where ``beyond_forecast_h`` were sailed; ``lattice_edges``
     are the edges searched first, ``(n, 4)`` as lat1, lon1, lat2, lon2, for drawing.
     """
 
@@ -282,6 +305,7 @@ class Passage:
     track: Track
     notices: tuple[str, ...] = ()
     manoeuvre_h: float = 0.0
+    beyond: Beyond = "hold"
     lattice_edges: NDArray[np.float32] | None = field(default=None, repr=False, compare=False)
 
     @property

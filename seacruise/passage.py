@@ -96,9 +96,11 @@ def plan(request: PassageRequest, *, settings: Settings, job: Job = NOBODY) -> P
         The job was cancelled.
     """
     from seacruise.routing.find import Ledger
+    from seacruise.weather.beyond import extend
 
     ledger = Ledger()
     check_options(request.options)
+    request = replace(request, wind=extend(request.wind, request.options.beyond))
     departure = departure_of(request.wind, request.departure)
     job.report("sea", None, "Reading the sea")
     sea, ends = waters_of(request, settings)
@@ -109,6 +111,8 @@ def plan(request: PassageRequest, *, settings: Settings, job: Job = NOBODY) -> P
     _check_zones(asked, request)
     asked, found, course, sailed = _leaving_in_time(asked, request.options, job, ledger)
     answer = Answer(request, ends, departure, asked, found, course, sailed)
+    if request.options.beyond == "refuse":
+        answer.refuse_beyond()
     job.check()
     return answer.passage(ledger)
 
@@ -296,7 +300,7 @@ def check_cover(wind: Wind, *ports: Port) -> None:
 def how_of(options: Options) -> How:
     """Put options into the router's words."""
     from seacruise.routing.field import handling_in_knots
-    from seacruise.routing.find import How
+    from seacruise.routing.find import How, Safety
     from seacruise.routing.manoeuvres import USUAL, Boards
 
     is_classic = options.preset == "classic"
@@ -318,6 +322,8 @@ def how_of(options: Options) -> How:
             gybe_min=options.gybe_penalty_min,
             turn_min_per_10_deg=options.turn_penalty,
         ),
+        mesh=options.lattice,
+        safety=Safety((options.safety_radius_nm or 0.0) * METRES_PER_NM, options.safety_levels),
         boards=USUAL if options.board_h is None else Boards(usual_s=options.board_h * SECONDS_PER_HOUR),
     )
 

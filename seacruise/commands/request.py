@@ -6,6 +6,7 @@ import argparse
 from typing import TYPE_CHECKING, Any
 
 from seacruise.commands.common import number_between, parse_path, parse_time, say, whole_number_between
+from seacruise.text import parse_number
 
 if TYPE_CHECKING:
     from seacruise.passage import Options
@@ -16,8 +17,8 @@ if TYPE_CHECKING:
     from seacruise.weather.wind import Wind
     from seacruise.yacht.polar import Polar
 
-SERVICES = ("auto", "practice", "sample", "stormglass")
-DIRECTIONS = (12, 24, 36, 60, 72, 108, 132)
+SERVICES = ("auto", "stormglass", "open-meteo", "open-meteo-ensemble", "metno", "practice", "sample")
+DIRECTIONS = (8, 12, 16, 24, 32, 36, 60, 72, 108, 132)
 
 _OPTION_FIELDS = (
     "preset",
@@ -40,6 +41,10 @@ _OPTION_FIELDS = (
     "board_h",
     "most_turns",
     "may_wait_h",
+    "lattice",
+    "safety_radius_nm",
+    "safety_levels",
+    "beyond",
 )
 
 
@@ -51,6 +56,8 @@ def add_voyage(parser: argparse.ArgumentParser, *, required: bool) -> None:
         "--to", dest="end", required=required, metavar="PORT", help="the same for the destination"
     )
     _add_when(ask)
+    if required:
+        _add_mixing(ask)
 
 
 def add_start(parser: argparse.ArgumentParser) -> None:
@@ -58,6 +65,7 @@ def add_start(parser: argparse.ArgumentParser) -> None:
     ask = parser.add_argument_group("the start")
     _add_from(ask, required=True)
     _add_when(ask)
+    _add_mixing(ask)
 
 
 def _add_from(ask: argparse._ArgumentGroup, *, required: bool) -> None:
@@ -79,6 +87,35 @@ def _add_when(ask: argparse._ArgumentGroup) -> None:
         metavar="SOURCE",
         help=f"{', '.join(SERVICES)}, or a GRIB or NetCDF file; repeat to average several (default: auto)",
     )
+
+
+def _add_mixing(ask: argparse._ArgumentGroup) -> None:
+    ask.add_argument(
+        "--weights",
+        type=parse_weights,
+        metavar="W,W",
+        help="weights of several forecasts in their mean, in the order of --forecast (default: equal)",
+    )
+    ask.add_argument(
+        "--current",
+        type=parse_path,
+        metavar="FILE",
+        help="GRIB or NetCDF file with the current, instead of one that comes with the forecast",
+    )
+
+
+def parse_weights(text: str) -> tuple[float, ...]:
+    """Read weights such as ``2,1``.
+
+    Raises
+    ------
+    argparse.ArgumentTypeError
+        One of them is no number.
+    """
+    values = [parse_number(part.strip()) for part in text.replace(";", ",").split(",")]
+    if any(value is None or value <= 0.0 for value in values):
+        raise argparse.ArgumentTypeError(f"{text!r} is not a list of numbers above 0 such as 2,1")
+    return tuple(value for value in values if value is not None)
 
 
 def add_yacht(parser: argparse.ArgumentParser, *, required: bool) -> None:
@@ -209,6 +246,24 @@ def add_search_options(parser: argparse.ArgumentParser) -> None:
         help="distance between the vertices of the lattice",
     )
     search.add_argument(
+        "--lattice",
+        choices=("triangular", "rectangular"),
+        help="rectangular has 8, 16 or 32 directions (default: triangular, 12 to 132)",
+    )
+    search.add_argument(
+        "--safety-radius",
+        dest="safety_radius_nm",
+        type=number_between(0.1, 15, "nm"),
+        metavar="NM",
+        help="refine the lattice this near to shores and zones, see --safety-levels",
+    )
+    search.add_argument(
+        "--safety-levels",
+        type=whole_number_between(1, 6, "levels"),
+        metavar="S",
+        help="halve the spacing this often within the safety radius",
+    )
+    search.add_argument(
         "--area", choices=("ellipse", "rectangle"), help="ellipse: provably large enough; rectangle: R1's"
     )
     search.add_argument(
@@ -217,6 +272,12 @@ def add_search_options(parser: argparse.ArgumentParser) -> None:
         action="store_false",
         default=None,
         help="the first search is the answer",
+    )
+    search.add_argument(
+        "--beyond",
+        choices=("hold", "fade", "refuse"),
+        help="after the end of the forecast hold the last wind (default), let it fade to the usual within a "
+        "day, or refuse to sail on",
     )
 
 
@@ -271,4 +332,13 @@ def fetch(arguments: argparse.Namespace, start: Port, end: Port, *, settings: Se
     from seacruise.between import fetch_wind_between
 
     names = arguments.forecast or ["auto"]
-    return fetch_wind_between(names, start, end, arguments.depart, settings=settings, job=job)
+    return fetch_wind_between(
+        names,
+        start,
+        end,
+        arguments.depart,
+        settings=settings,
+        job=job,
+        weights=arguments.weights,
+        current=arguments.current,
+    )

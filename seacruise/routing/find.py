@@ -8,11 +8,10 @@ from __future__ import annotations
 
 import math
 import time
-from collections import OrderedDict
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
-from typing import Any, Final, Literal
+from typing import Final, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,7 +20,6 @@ from seacruise.errors import NoPassageError
 from seacruise.geodesy import great_circle_m, scale, to_mercator
 from seacruise.progress import Job
 from seacruise.routing import classic, stencil
-from seacruise.routing import lattice as lattices
 from seacruise.routing.field import (
     COARSE_SLICE_S,
     FINE_SLICE_S,
@@ -33,6 +31,7 @@ from seacruise.routing.field import (
     wind_field,
 )
 from seacruise.routing.lattice import Area, Lattice, Levels
+from seacruise.routing.levels import LatticeCache, Position, levels_around
 from seacruise.routing.manoeuvres import USUAL, Boards
 from seacruise.routing.refine import PIECE_M as REFINED_PIECE_M
 from seacruise.routing.refine import Line, Waters, refine, timed
@@ -44,18 +43,12 @@ from seacruise.weather.wind import Current, Wind
 from seacruise.yacht.polar import Polar
 
 Array = NDArray[np.float64]
-Position = tuple[float, float]
 
 COURSES: Final = 36
 """Courses of the first search: enough that it chooses the right side of an island."""
 
 SPACING_NM: Final = 5.0
-SHORE_NM: Final = 2.5
-APPROACH_NM: Final = 0.15
-"""Spacings of the first search [nm]: at sea, near the shore, and where the ends lie among islands."""
-
-OPEN_WATER_NM: Final = 3.5
-"""Room on all sides [nm] with which the approach of a port is over; bays among islands have less."""
+"""Spacing of the first search at sea [nm]; see `seacruise.routing.levels` for shores and approaches."""
 
 MOST_DETAIL: Final = 2
 
@@ -63,7 +56,17 @@ _GUESSED_PACE: Final = 0.6
 _FIRST_REACH: Final = 1.3
 _LAST_REACH: Final = 4.0
 _REACH_STEP: Final = 0.1
-_KEPT: Final = 8
+
+
+@dataclass(frozen=True, slots=True)
+class Safety:
+    """Safety zones (R3): where the lattice is finer, see `seacruise.routing.area.Levels`."""
+
+    radius_m: float = 0.0
+    levels: int = 0
+
+
+NO_SAFETY: Final = Safety()
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,6 +80,8 @@ class How:
     refine: bool
     handling: Handling
     boards: Boards = USUAL
+    mesh: stencil.Kind = "triangular"
+    safety: Safety = NO_SAFETY
 
 
 @dataclass(slots=True)
@@ -98,29 +103,6 @@ class Ledger:
         now = time.perf_counter()
         self.seconds[stage] += now - self._begun
         self._begun = now
-
-
-class LatticeCache:
-    """The lattices used last, by what defines them: the same ports again need no new one."""
-
-    def __init__(self) -> None:
-        self._kept: OrderedDict[Any, Lattice] = OrderedDict()
-
-    def get(
-        self,
-        key: tuple[Any, ...],
-        sea: Sea,
-        ends: tuple[Position, Position],
-        recipe: Callable[[], dict[str, Any]],
-    ) -> Lattice:
-        """Return the lattice of a recipe (see `lattice.build`); ``key`` must tell it from all others."""
-        whole = (id(sea.water.cells), ends, *key)
-        if whole not in self._kept:
-            self._kept[whole] = lattices.build(sea, *ends, **recipe())
-            while len(self._kept) > _KEPT:
-                self._kept.popitem(last=False)
-        self._kept.move_to_end(whole)
-        return self._kept[whole]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -244,7 +226,8 @@ class Finder:
     ) -> tuple[Line | None, Lattice]:
         """Search the area; widen it until nothing outside can be faster, refine it until it is open."""
         direct = asked.direct_m
-        ledger.directions = asked.how.directions or COURSES
+        most = stencil.RECTANGULAR_COURSES[-1]
+        ledger.directions = asked.how.directions or (COURSES if asked.how.mesh == "triangular" else most)
         ledger.spacing_nm = asked.how.spacing_nm or min(SPACING_NM, max(0.5, direct / METRES_PER_NM / 40))
         # A guess of the duration spares most passages a second, wider search; the loop does not trust it.
         pace = _GUESSED_PACE * waters.field.fastest(waters.speeds, waters.field.mean)
@@ -286,7 +269,9 @@ class Finder:
     def _lattice(self, asked: Question, reach: float, detail: int, job: Job, ledger: Ledger) -> Lattice:
         """Build or recall the lattice of an area."""
         job.report("lattice", None, "Building the lattice")
-        spacing = ledger.spacing_nm
+        how, spacing = asked.how, ledger.spacing_nm
+        # Lattices are finer around hazards, so their identity belongs to the key.
+        hazards = id(asked.zones) if how.safety.levels and asked.zones else None
         if asked.how.area == "rectangle":
             area = Area("rectangle", asked.ends, classic.HALF_WIDTH_DEG * 60 * asked.plane_per_nm)
         else:
@@ -294,12 +279,13 @@ class Finder:
             step = _REACH_STEP * asked.direct_m
             area = Area("ellipse", asked.ends, math.ceil(reach / step) * step)
         grid = self.cache.get(
-            (spacing, ledger.directions, area.kind, area.reach_m, detail),
+            (spacing, ledger.directions, area.kind, area.reach_m, detail, how.mesh, how.safety, hazards),
             asked.sea,
             (asked.start, asked.end),
             lambda: {
                 "spacing_nm": spacing,
-                "offsets": stencil.triangular(ledger.directions),
+                "offsets": stencil.of(how.mesh, ledger.directions),
+                "mesh": stencil.mesh_of(how.mesh),
                 "area": area,
                 "levels": approach_levels(asked, spacing, detail),
             },
@@ -309,26 +295,14 @@ class Finder:
 
 
 def approach_levels(asked: Question, spacing_nm: float, detail: int) -> Levels:
-    """Levels that lead from both ends to open water, as far as islands and narrows reach.
-
-    Parameters
-    ----------
-    detail
-        0 at first; each one more halves the spacing near the shore and doubles the room around the ways
-        out, for ends that were not connected.
-    """
+    """Levels for both ends of a passage, see `levels_around`, and its safety zones."""
     ports = (asked.start, asked.end)
-    return levels_around(asked.sea, ports, spacing_nm, detail, per_nm=asked.plane_per_nm)
-
-
-def levels_around(
-    sea: Sea, ports: Sequence[Position], spacing_nm: float, detail: int, *, per_nm: float
-) -> Levels:
-    """`approach_levels` of any number of ports; ``per_nm`` is the metres of the plane per nautical mile."""
-    everywhere = max(0, math.ceil(math.log2(spacing_nm / SHORE_NM))) + detail
-    approaches = max(0, math.ceil(math.log2(spacing_nm / APPROACH_NM)) - everywhere + detail)
-    ways = tuple(sea.ways_out(*port, room_m=OPEN_WATER_NM * per_nm) for port in ports)
-    return Levels(everywhere, approaches, ways, sides=3.0 * 2**detail)
+    return replace(
+        levels_around(asked.sea, ports, spacing_nm, detail, per_nm=asked.plane_per_nm),
+        safety_radius_m=asked.how.safety.radius_m,
+        safety_levels=asked.how.safety.levels,
+        hazards=asked.zones if asked.how.safety.levels else NO_ZONES,
+    )
 
 
 def _reach_needed(asked: Question, waters: Waters, seconds: float) -> float:

@@ -23,8 +23,9 @@ from seacruise.routing import lattice as lattices
 from seacruise.routing import stencil
 from seacruise.routing.backwards import latest_departures
 from seacruise.routing.field import SpeedTable, WindField
-from seacruise.routing.find import COURSES, SPACING_NM, Position, farthest_m, levels_around
+from seacruise.routing.find import COURSES, SPACING_NM, farthest_m
 from seacruise.routing.lattice import Area, Lattice, chord_m
+from seacruise.routing.levels import Position, levels_around
 from seacruise.routing.search import Found, search
 from seacruise.sea import Sea
 from seacruise.sea.water import FARTHEST_WAY_NM
