@@ -38,8 +38,13 @@ if TYPE_CHECKING:
     from seacruise.passage import Options, Passage, PassageRequest, Waypoint, plan
     from seacruise.ports import Port, find_port, load_ports
     from seacruise.progress import Job
+    from seacruise.reach import ReachRequest
+    from seacruise.reach import reach as ports_in_reach
     from seacruise.sea import Sea
     from seacruise.settings import Settings
+    from seacruise.simulation import simulate
+    from seacruise.study import compare, ensemble, variants
+    from seacruise.underway import SavedPassage, replan
     from seacruise.weather.source import fetch_wind
     from seacruise.weather.wind import Forecast, Wind
     from seacruise.yacht.files import read_polar
@@ -58,6 +63,8 @@ __all__ = [
     "PassageRequest",
     "Polar",
     "Port",
+    "ReachRequest",
+    "SavedPassage",
     "Sea",
     "SeaCruiseError",
     "Settings",
@@ -65,11 +72,17 @@ __all__ = [
     "WeatherError",
     "Wind",
     "__version__",
+    "compare",
+    "ensemble",
     "fetch_wind",
     "find_port",
     "load_ports",
     "plan",
+    "ports_in_reach",
     "read_polar",
+    "replan",
+    "simulate",
+    "variants",
 ]
 
 _HOME_OF = {
@@ -83,27 +96,36 @@ _HOME_OF = {
     "PassageRequest": "passage",
     "Polar": "yacht.polar",
     "Port": "ports",
+    "ReachRequest": "reach",
+    "SavedPassage": "underway",
     "Sea": "sea",
     "SeaCruiseError": "errors",
     "Settings": "settings",
     "Waypoint": "passage",
     "WeatherError": "errors",
     "Wind": "weather.wind",
+    "compare": "study",
+    "ensemble": "study",
     "fetch_wind": "weather.source",
     "find_port": "ports",
     "load_ports": "ports",
     "plan": "passage",
+    # `seacruise.reach` is the module: the name of its function is taken.
+    "ports_in_reach": "reach:reach",
     "read_polar": "yacht.files",
+    "replan": "underway",
+    "simulate": "simulation",
+    "variants": "study",
 }
 
 
 def __getattr__(name: str) -> object:
     """Load a public name from its room on first use (PEP 562)."""
     try:
-        room = _HOME_OF[name]
+        room, _, own = _HOME_OF[name].partition(":")
     except KeyError:
         raise AttributeError(f"module 'seacruise' has no attribute {name!r}") from None
-    value = getattr(import_module(f"seacruise.{room}"), name)
+    value = getattr(import_module(f"seacruise.{room}"), own or name)
     globals()[name] = value
     return value
 

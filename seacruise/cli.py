@@ -1,4 +1,4 @@
-"""The command line: ``seacruise plan``, ``reach``, ``window``, ``polar``, ...; alone, the window.
+"""The command line: ``plan``, ``compare``, ``reach``, ``replan``, ``window``, ...; alone, the window.
 
 Nothing heavy is imported here, so that ``--help`` answers at once; each sub-command loads what it needs.
 """
@@ -15,11 +15,11 @@ from io import TextIOWrapper
 from itertools import pairwise
 
 import seacruise
-from seacruise.commands import plan, polar, ports, reach, weather, window
+from seacruise.commands import compare, plan, polar, ports, reach, replan, simulate, weather, window
 from seacruise.commands.common import Parser, say
 from seacruise.errors import CancelledError, NoPassageError, SeaCruiseError
 
-_POSITION_FOLLOWS = {"--from", "--to"}
+_POSITION_FOLLOWS = {"--from", "--to", "--at"}
 
 
 def build_parser() -> argparse.ArgumentParser:
@@ -31,7 +31,7 @@ def build_parser() -> argparse.ArgumentParser:
     )
     parser.add_argument("--version", action="version", version=f"SeaCruise {seacruise.__version__}")
     commands = parser.add_subparsers(dest="command", metavar="COMMAND")
-    for command in (plan, reach, window, polar, weather, ports):
+    for command in (plan, compare, reach, replan, simulate, window, polar, weather, ports):
         command.add_parser(commands)
     return parser
 
@@ -77,7 +77,7 @@ def _dispatch(words: list[str]) -> int:
     parser = build_parser()
     arguments = parser.parse_args(_guard_southern_latitudes(words))
     if arguments.command is None:
-        parser.error("a command is missing: plan, reach, window, polar, weather or ports")
+        parser.error("a command is missing: plan, compare, reach, replan, window, polar, weather or ports")
     return int(arguments.run(arguments))
 
 

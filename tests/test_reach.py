@@ -19,7 +19,7 @@ from seacruise.export.reach_chart import reach_chart
 from seacruise.passage import Options, PassageRequest, plan
 from seacruise.ports import Port, find_port, load_ports
 from seacruise.progress import Job
-from seacruise.reach import PortReached, Reach, ReachRequest, reach
+from seacruise.reach import PortReached, Reach, ReachRequest, check_notices, reach
 from seacruise.resources import resource_path
 from seacruise.settings import Settings
 from seacruise.units import METRES_PER_NM, SECONDS_PER_HOUR
@@ -157,6 +157,61 @@ def test_ports_among_islands_are_reached(sea_settings: Settings) -> None:
     assert {"Stockholm", "Saltsjöbaden", "Nynäshamn", "Furusund"} <= set(reached)
 
 
+def test_a_port_whose_approach_is_too_narrow_for_the_lattice_is_reached(sea_settings: Settings) -> None:
+    """Norrköping lies up a canal; the lattice of all ports does not lead into it, one of its own does."""
+    ports = [port("Norrköping"), port("Arkösund")]
+    reached = by_name(reach(asked("Oxelösund", check=True), ports=ports, settings=sea_settings))
+    found = reached["Norrköping"]
+    request = PassageRequest(port("Oxelösund"), port("Norrköping"), yacht(), sample_wind(), DEPARTURE)
+    passage = plan(request, settings=sea_settings)
+    assert found.out_h == pytest.approx(passage.duration_h, rel=0.03)
+    assert found.distance_nm == pytest.approx(passage.distance_nm, rel=0.05)
+    assert found.land_free is True
+    assert found.return_fits
+    assert found.back_h is not None
+    home = replace(request, start=port("Norrköping"), end=port("Oxelösund"), departure=found.arrival)
+    assert found.back_h == pytest.approx(plan(home, settings=sea_settings).duration_h, rel=0.05)
+    assert found.leave_by is not None
+    assert found.arrival < found.leave_by < DEPARTURE + timedelta(hours=12)
+    in_time = replace(home, departure=found.leave_by)
+    assert plan(in_time, settings=sea_settings).arrival <= DEPARTURE + timedelta(hours=12, minutes=5)
+
+
+def test_with_less_time_it_is_not(sea_settings: Settings) -> None:
+    short = reach(asked("Oxelösund", hours=3.0), ports=[port("Norrköping")], settings=sea_settings)
+    assert short.ports == ()
+    assert short.unreachable == 1
+
+
+def test_ways_out_can_be_sailed_again(half_a_day: Reach, sea_settings: Settings) -> None:
+    checked = reach(asked(check=True), ports=load_ports(), settings=sea_settings)
+    assert [found.port for found in checked.ports] == [found.port for found in half_a_day.ports]
+    for found, plain in zip(checked.ports, half_a_day.ports, strict=True):
+        assert found.land_free is True
+        assert found.resailed_h == pytest.approx(found.out_h, rel=0.01)
+        assert replace(found, resailed_h=None, land_free=None) == plain
+    assert any("ways out were sailed again" in notice for notice in checked.notices)
+    assert not any("sailed again" in notice for notice in half_a_day.notices)
+
+
+def test_what_sailing_again_shows_is_told(half_a_day: Reach) -> None:
+    one, two, three = half_a_day.ports[:3]
+    later = replace(one, resailed_h=one.out_h * 1.021, land_free=True)
+    ashore = replace(two, resailed_h=two.out_h, land_free=False)
+    lost = replace(three, resailed_h=None, land_free=True)
+    said = check_notices([later, ashore, lost])
+    assert said[0].startswith("2 ways out were sailed again: their times are +0.0 to +2.1 %")
+    assert three.port.name in said[1]
+    assert two.port.name in said[2]
+
+
+def test_the_public_name(half_a_day: Reach, sea_settings: Settings) -> None:
+    import seacruise
+
+    answer = seacruise.ports_in_reach(asked(), ports=load_ports(), settings=sea_settings)
+    assert answer.ports == half_a_day.ports
+
+
 def test_hours_on_held_wind_are_counted(sea_settings: Settings) -> None:
     late = replace(asked(), departure=datetime(2016, 11, 21, 22, tzinfo=UTC))
     reached = reach(late, ports=load_ports(), settings=sea_settings)
@@ -205,7 +260,7 @@ def test_json_has_the_keys_of_the_contract(half_a_day: Reach) -> None:
     assert answer["schema"] == "seacruise.reach/1"
     assert list(answer["ports"][0]) == [
         "name", "country", "lat", "lon", "distance_nm", "out_h", "arrival", "back_h", "return_fits",
-        "leave_by", "beyond_forecast_h",
+        "leave_by", "beyond_forecast_h", "resailed_h", "land_free",
     ]  # fmt: skip
     assert len(answer["ports"]) == len(half_a_day.ports)
     json.dumps(answer, allow_nan=False)

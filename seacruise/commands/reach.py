@@ -42,6 +42,11 @@ def add_parser(commands: argparse._SubParsersAction[argparse.ArgumentParser]) ->
         metavar="H",
         help="time in the port before sailing back (default: 0)",
     )
+    parser.add_argument(
+        "--check",
+        action="store_true",
+        help="sail every way out again, as a planned passage is; takes about as long again",
+    )
     ask.add_yacht(parser, required=True)
     ask.add_sail_options(parser)
     ask.add_avoid(parser)
@@ -84,6 +89,7 @@ def run(arguments: argparse.Namespace) -> int:
             stay_h=arguments.stay,
             options=options,
             zones=ask.zones_from(arguments, settings),
+            check=arguments.check,
         )
         reached = reach(asked, ports=ports, settings=settings, job=job)
     if arguments.format == "json":
@@ -137,4 +143,6 @@ def _fetch(
         job=job,
         is_water=is_water,
         margin_deg=margin,
+        weights=arguments.weights,
+        current=arguments.current,
     )

@@ -46,6 +46,8 @@ def _port(found: PortReached) -> dict[str, Any]:
         "return_fits": found.return_fits,
         "leave_by": None if found.leave_by is None else format_time(found.leave_by),
         "beyond_forecast_h": number(found.beyond_forecast_h, 4),
+        "resailed_h": number(found.resailed_h, 4),
+        "land_free": found.land_free,
     }
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import threading
 from collections import OrderedDict
 from collections.abc import Callable, Sequence
 from typing import Any, Final
@@ -49,6 +50,7 @@ class LatticeCache:
 
     def __init__(self) -> None:
         # The cells are kept as well: while they are, no other sea can have their identity.
+        self._lock = threading.Lock()
         self._kept: OrderedDict[Any, tuple[Lattice, Any]] = OrderedDict()
 
     def get(
@@ -60,9 +62,13 @@ class LatticeCache:
     ) -> Lattice:
         """Return the lattice of a recipe (see `lattice.build`); ``key`` must tell it from all others."""
         whole = (id(sea.water.cells), ends, *key)
-        if whole not in self._kept:
-            self._kept[whole] = lattice.build(sea, *ends, **recipe()), sea.water.cells
+        with self._lock:
+            found = self._kept.get(whole)
+        # Not while the lock is held: two lattices may well be built at once.
+        found = found or (lattice.build(sea, *ends, **recipe()), sea.water.cells)
+        with self._lock:
+            self._kept[whole] = found
+            self._kept.move_to_end(whole)
             while len(self._kept) > KEPT:
                 self._kept.popitem(last=False)
-        self._kept.move_to_end(whole)
-        return self._kept[whole][0]
+        return found[0]

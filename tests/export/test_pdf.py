@@ -1,0 +1,206 @@
+"""The passage plan as a PDF: nothing cut, nothing written over something else."""
+
+from __future__ import annotations
+
+import re
+import zlib
+from collections.abc import Callable
+from dataclasses import replace
+from datetime import UTC, datetime, timedelta
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+import pytest
+
+from seacruise import cli
+from seacruise.errors import InputError
+from seacruise.export.meteogram import along_track
+from seacruise.export.pdf import HEIGHT_IN, NOT_A_CHART, WIDTH_IN, pages, pdf, write_pdf
+from seacruise.passage import Passage, Waypoint
+from tests.passages import veering_wind
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+LONG = "Świnoujście – Yachthafen am Nordmolenkopf bei der alten Werft und dem Leuchtturm"
+
+
+def with_legs(passage: Passage, count: int) -> Passage:
+    """Sail the first leg over and over, a quarter of an hour each time."""
+    first, last = passage.waypoints[0], passage.waypoints[-1]
+    legs: list[Waypoint] = [
+        replace(first, time=first.time + timedelta(minutes=15 * k), lat=54.528 + k / 1000)
+        for k in range(count)
+    ]
+    return replace(passage, waypoints=(*legs, last))
+
+
+def crowded(passage: Passage) -> Passage:
+    long = replace(
+        with_legs(passage, 150),
+        yacht="A yacht with a name that has no end, sail number and sponsor, of the owner's mother-in-law",
+        start=replace(passage.start, name=LONG),
+        end=replace(passage.end, name=LONG[::-1]),
+    )
+    notice = "A notice that goes on for a while, as notices do when there is much to be said about a thing, "
+    forecast = replace(passage.forecast, source="A service of many words " * 8)
+    return replace(long, notices=tuple(f"{notice * 2}number {k}." for k in range(40)), forecast=forecast)
+
+
+def written(page: Figure) -> list[str]:
+    return [text.get_text() for text in page.texts]
+
+
+def legs_of(book: list[Figure]) -> list[str]:
+    return [
+        text for page in book for text in written(page) if re.fullmatch(r"\w{3} +\d+ \w{3} \d\d:\d\d", text)
+    ]
+
+
+def drifting(passage: Passage) -> Passage:
+    """Sail the same over water that moves."""
+    legs = [
+        replace(w, steer_deg=((w.course_deg or 0.0) + 5.0) % 360.0, current_kn=0.4, current_to_deg=90.0)
+        for w in passage.waypoints[:-1]
+    ]
+    return replace(passage, waypoints=(*legs, passage.waypoints[-1]))
+
+
+@pytest.mark.parametrize("change", [lambda passage: passage, crowded, drifting])
+def test_no_text_lies_on_another_or_off_the_page(
+    passage: Passage, change: Callable[[Passage], Passage]
+) -> None:
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+
+    for page in pages(change(passage), wind=veering_wind()):
+        renderer = FigureCanvasAgg(page).get_renderer()  # type: ignore[no-untyped-call]
+        boxes = [(text, text.get_window_extent(renderer)) for text in page.texts]
+        width, height = WIDTH_IN * page.dpi, HEIGHT_IN * page.dpi
+        for text, box in boxes:
+            assert box.x0 >= 0.3 * page.dpi, text
+            assert box.x1 <= width - 0.3 * page.dpi, text
+            assert 0.15 * page.dpi <= box.y0 <= box.y1 <= height - 0.3 * page.dpi, text
+        for k, (text, box) in enumerate(boxes):
+            over = [other.get_text() for other, there in boxes[k + 1 :] if box.overlaps(there)]
+            assert not over, f"{text.get_text()!r} lies on {over}"
+        areas = [axes.get_window_extent(renderer) for axes in page.axes]
+        for text, box in boxes:
+            assert not any(box.overlaps(area) for area in areas), f"{text.get_text()!r} lies on a drawing"
+
+
+def test_a_common_passage_takes_two_pages(passage: Passage) -> None:
+    book = pages(passage, wind=veering_wind())
+    assert len(book) == 2
+    assert len(legs_of(book)) == len(passage.waypoints)
+    first = " ".join(written(book[0]))
+    for part in (
+        "Gdynia - Sandhamn",
+        "43 h 17 min",
+        passage.yacht,
+        "Strongest wind",
+        "At night",
+        *passage.notices,
+    ):
+        assert part in first
+    assert "Weather along the passage" in written(book[1])
+
+
+@pytest.mark.parametrize("count", [20, 26, 27, 28, 60, 150])
+def test_no_leg_is_lost(passage: Passage, count: int) -> None:
+    long = with_legs(passage, count)
+    book = pages(long)
+    numbers = [text for page in book[1:] for text in written(page) if re.fullmatch(r"\d+", text)]
+    assert [n for n in map(str, range(count + 1)) if n not in numbers] == []
+    assert len(legs_of(book)) == count + 1
+    assert [text for text in written(book[-1]) if text.startswith("Page ")] == [
+        f"Page {len(book)} of {len(book)}"
+    ]
+
+
+def test_in_a_current_the_course_to_steer_is_told(passage: Passage) -> None:
+    inked = written(pages(drifting(passage))[1])
+    assert "Steer" in inked
+    first = passage.waypoints[0].course_deg
+    assert first is not None
+    assert f"{round(first) % 360:03d}°" in inked
+    assert f"{round(first + 5.0) % 360:03d}°" in inked
+    assert "Steer" not in written(pages(passage)[1])
+
+
+def test_no_notice_is_lost(passage: Passage) -> None:
+    said = " ".join(text for page in pages(crowded(passage)) for text in written(page))
+    assert [k for k in range(40) if f"number {k}." not in said] == []
+
+
+def test_each_page_says_that_it_is_no_chart_and_where_the_wind_is_from(passage: Passage) -> None:
+    for page in pages(crowded(passage)):
+        assert NOT_A_CHART in written(page)
+        assert any(text.startswith("Wind: ") for text in written(page))
+        assert any("OpenStreetMap" in text for text in written(page))
+
+
+def test_it_is_a_pdf_of_that_many_pages_and_the_same_each_time(passage: Passage) -> None:
+    data = pdf(passage, wind=veering_wind())
+    assert data.startswith(b"%PDF-1.")
+    assert len(re.findall(rb"/Type /Page\b(?!s)", data)) == 2
+    assert b"/Title (Gdynia - Sandhamn)" in data
+    assert b"CreationDate" not in data
+    assert pdf(passage, wind=veering_wind()) == data
+
+
+def test_letters_are_text_and_not_pictures(passage: Passage) -> None:
+    """Fonts are embedded as TrueType with a map to Unicode: Ś can be searched for."""
+    data = pdf(replace(passage, start=replace(passage.start, name="Świnoujście")))
+    assert b"/Subtype /Type3" not in data
+    streams = [
+        zlib.decompress(s) for s in re.findall(rb"stream\n(.*?)\nendstream", data, re.DOTALL) if s[:1] == b"x"
+    ]
+    assert any(b"beginbfrange" in s and b"015a" in s.lower() for s in streams)
+
+
+def test_gusts_and_waves_are_those_along_the_way(passage: Passage) -> None:
+    wind = veering_wind()
+    tws = np.hypot(wind.u, wind.v)
+    gusty = replace(wind, gust=(tws * 1.5).astype(np.float32), wave=np.full_like(tws, 1.75))
+    gust, wave = along_track(passage.track, gusty)
+    assert gust is not None
+    assert wave is not None
+    # Speeds between grid points are no less than those of the mean vector.
+    assert (gust >= 1.5 * passage.track.tws_kn * 0.98).all()
+    assert (gust <= 1.5 * passage.track.tws_kn * 1.1).all()
+    assert wave == pytest.approx(np.full(wave.size, 1.75))
+    assert along_track(passage.track, wind) == (None, None)
+    assert along_track(passage.track, None) == (None, None)
+    drawn = [axes.get_ylabel() for axes in pages(passage, wind=gusty)[1].axes]
+    assert "Waves [m]" in drawn
+    assert "Waves [m]" not in [axes.get_ylabel() for axes in pages(passage, wind=wind)[1].axes]
+
+
+def test_what_is_beyond_the_forecast_is_hatched(passage: Passage) -> None:
+    known = replace(passage, forecast=replace(passage.forecast, valid_to=passage.arrival))
+    early = replace(passage, forecast=replace(passage.forecast, valid_to=datetime(2016, 11, 20, tzinfo=UTC)))
+
+    def hatched(one: Passage) -> float:
+        panel = pages(one)[1].axes[0]
+        spans = [patch.get_extents().width for patch in panel.patches if patch.get_hatch()]
+        return sum(spans) / panel.bbox.width
+
+    assert hatched(known) == 0.0
+    assert hatched(early) == pytest.approx(1.0)
+    assert 0.0 < hatched(passage) < 0.3
+
+
+def test_it_is_written_or_refused(passage: Passage, tmp_path: Path) -> None:
+    write_pdf(passage, tmp_path / "p.pdf")
+    assert (tmp_path / "p.pdf").read_bytes() == pdf(passage)
+    with pytest.raises(InputError):
+        write_pdf(passage, tmp_path / "none" / "p.pdf")
+
+
+def test_plan_writes_it(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    target = tmp_path / "p.pdf"
+    words = ["plan", "--from", "Visby", "--to", "Västervik", "--depart", "2016-11-20T06:00Z", "--forecast"]
+    assert cli.main([*words, "sample", "--yacht", "Bavaria 46 Cruiser", "--pdf", str(target)]) == 0
+    assert target.read_bytes().startswith(b"%PDF-")
+    assert f"Wrote {target}" in capsys.readouterr().err
