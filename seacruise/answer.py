@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 from numpy.typing import NDArray
 
+from seacruise.errors import NoPassageError
 from seacruise.geodesy import angle_between_deg, great_circle_m
 from seacruise.model import (
     Checks,
@@ -61,6 +62,18 @@ class Answer:
         horizon = max(self.request.wind.forecast.valid_to.timestamp(), begin)
         return max(0.0, begin + self.seconds - horizon)
 
+    def refuse_beyond(self) -> None:
+        """Raise `NoPassageError` when the passage ends after the forecast, held wind being no forecast."""
+        if self.beyond_s > 0.0:
+            horizon = self.request.wind.forecast.valid_to
+            arrival = self.departure + timedelta(seconds=self.seconds)
+            raise NoPassageError(
+                f"The passage would end at {arrival:%Y-%m-%d %H:%M} UTC, after the forecast, which ends at "
+                f"{horizon:%Y-%m-%d %H:%M} UTC; leave earlier, choose a longer forecast, or let the last "
+                "wind be held (--beyond hold) or fade (--beyond fade).",
+                reason="outside-forecast",
+            )
+
     def passage(self, ledger: Ledger) -> Passage:
         """Put the answer together."""
         from seacruise.routing.manoeuvres import true_length_nm
@@ -104,6 +117,7 @@ class Answer:
             ),
             track=_track(sailed),
             manoeuvre_h=sailed.pause_s / SECONDS_PER_HOUR,
+            beyond=self.request.options.beyond,
             notices=self._notices(legs),
             lattice_edges=self.found.lattice.edges_in_degrees(),
         )
@@ -133,9 +147,10 @@ class Answer:
                     "of the chart that is connected with the open sea."
                 )
         if self.beyond_s > 60.0:
+            fading = self.request.options.beyond == "fade"
             said.append(
                 f"The last {math.ceil(self.beyond_s / SECONDS_PER_HOUR)} h are sailed in the last known "
-                "wind, held beyond the end of the forecast."
+                f"wind, {'fading to the usual' if fading else 'held'} beyond the end of the forecast."
             )
         waited_h = (self.departure - self.wanted).total_seconds() / SECONDS_PER_HOUR
         if waited_h > 0.0:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from datetime import datetime
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from seacruise.geodesy import great_circle_m
@@ -35,6 +36,8 @@ def fetch_wind_between(
     *,
     settings: Settings,
     job: Job,
+    weights: Sequence[float] | None = None,
+    current: Path | None = None,
 ) -> Wind:
     """Get the wind for a passage, see `seacruise.weather.source.fetch_wind`.
 
@@ -53,4 +56,6 @@ def fetch_wind_between(
         settings=settings,
         job=job,
         is_water=is_water,
+        weights=weights,
+        current=current,
     )

@@ -118,7 +118,7 @@ def check_options(options: Options) -> None:
     within(options.max_wind_kn, 1.0, 200.0, "A wind limit [kn]")
     within(options.max_gust_kn, 1.0, 200.0, "A limit of gusts [kn]")
     within(options.max_wave_m, 0.1, 30.0, "A limit of the wave height [m]")
-    within(options.shore_clearance_nm, 0.1, 20.0, "A distance from the shore [nm]")
+    within(options.shore_clearance_nm, 0.1, 15.0, "A distance from the shore [nm]")
     within(options.tack_penalty_min, 0.0, 120.0, "The cost of a tack [min]")
     within(options.gybe_penalty_min, 0.0, 120.0, "The cost of a gybe [min]")
     within(options.turn_penalty, 0.0, 60.0, "A penalty for turning [min for 10 degrees]")
@@ -139,8 +139,12 @@ def check_options(options: Options) -> None:
         )
     if options.preset == "classic" and options.directions not in {None, 12}:
         raise InputError("The classic preset has 12 directions; choose --preset precise for more.")
-    if options.preset == "classic" and options.turning_costs:
+    if options.preset == "classic" and (options.turning_costs or options.most_turns is not None):
         raise InputError("The classic preset knows no cost of manoeuvres; choose --preset precise for them.")
+    if options.preset == "classic" and (options.lattice != "triangular" or options.safety_levels):
+        raise InputError(
+            "The classic preset has its own lattice; choose --preset precise for another or for safety zones."
+        )
 
 
 @dataclass(frozen=True, slots=True)

@@ -136,6 +136,7 @@ def question_of(
         departure.timestamp(),
         request.zones,
         request.current or request.wind.current,
+        request.options.shore_clearance_nm,
     )
 
 

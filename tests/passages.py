@@ -48,6 +48,7 @@ def steady_forecast() -> Forecast:
         step_h=6.0,
         resolution_deg=1.0,
         notice="Test wind: not a forecast.",
+        real=False,
     )
 
 

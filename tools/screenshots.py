@@ -131,6 +131,7 @@ def picture_of_route(size: tuple[int, int], settings: Settings, folder: Path) ->
     window.menus.layers["lattice"].setChecked(True)
     save(window, folder / "lattice.png")
     window.menus.layers["lattice"].setChecked(False)
+    pictures_of_layers(window, folder)
     for _ in range(3):
         window.chart.view.zoom_in()
     window.form.show_options(shown=True)
@@ -144,6 +145,32 @@ def picture_of_route(size: tuple[int, int], settings: Settings, folder: Path) ->
         dialog.grab().save(str(folder / "about.png"))
         dialog.close()
     window.close()
+
+
+def pictures_of_layers(window: MainWindow, folder: Path) -> None:
+    """Everything on the chart at once, in each light and with each meaning of the route's colours."""
+    layers, menus, view = window.layers, window.menus, window.chart.view
+    for name in ("field", "isochrones"):
+        menus.layers[name].setChecked(True)
+    window.steering.avoided.add(56.8, 18.4, 10.0)
+    wait(lambda: not window.steering.router.is_busy)
+    for scheme, light in (("tws", "day"), ("twa", "dusk"), ("point", "night"), ("speed", "day")):
+        menus.choose("scheme", scheme)
+        menus.choose("light", light)
+        wait(lambda: not layers.jobs.is_running)
+        save(window, folder / f"layers-{light}-{scheme}.png")
+    for name in ("field", "isochrones"):
+        menus.layers[name].setChecked(False)
+    middle = view.middle()
+    view.measure_from(*middle)
+    view.measure.reach(middle[0] + 1.0, middle[1] + 1.0)
+    view.end_picked.emit("via", middle[0] + 0.4, middle[1] + 0.6)
+    wait(lambda: not window.steering.router.is_busy)
+    save(window, folder / "via-and-measure.png")
+    view.set_measuring(False)
+    view.via_dropped.emit()
+    window.steering.avoided.stack.undo()
+    wait(lambda: not window.steering.router.is_busy)
 
 
 def picture_of_trouble(error: SeaCruiseError, size: tuple[int, int], settings: Settings, path: Path) -> None:
@@ -164,7 +191,8 @@ def picture_for_readme(settings: Settings, path: Path) -> None:
     """Window with a passage, fifteen hours under way."""
     window = make_window(SIZES[0], settings)
     calculate(window)
-    wait(lambda: window.chart.view.is_settled)
+    window.menus.layers["isochrones"].setChecked(True)
+    wait(lambda: window.chart.view.is_settled and not window.layers.jobs.is_running)
     window.chart.time_bar.slider.setValue(15 * 60)
     save(window, path)
     window.close()

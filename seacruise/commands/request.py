@@ -218,7 +218,7 @@ def add_manoeuvres(parser: argparse.ArgumentParser) -> None:
     crew.add_argument(
         "--shore-clearance",
         dest="shore_clearance_nm",
-        type=number_between(0.1, 20, "nm"),
+        type=number_between(0.1, 15, "nm"),
         metavar="NM",
         help="keep this far off every shore, but on the ways out of and into the ports",
     )

@@ -48,6 +48,9 @@ def run_fetch(arguments: argparse.Namespace) -> int:
 
         print(format_forecast(wind.forecast, now=datetime.now(UTC)))
         print(f"{wind.time.size} times at {wind.lat.size * wind.lon.size} points, {wind.describe_area()}")
+        print(f"With {', '.join(carried(wind)) or 'the wind alone'}")
+        if wind.forecast.notice:
+            print(f"! {wind.forecast.notice}")
     return 0
 
 
@@ -58,6 +61,10 @@ def describe(wind: Wind) -> dict[str, Any]:
     return {
         "schema": "seacruise.weather/1",
         "forecast": forecast_to_json(wind.forecast),
+        "real": wind.forecast.real,
+        "notice": wind.forecast.notice or None,
+        "with": carried(wind),
+        "members": len(wind.members),
         "times": int(wind.time.size),
         "points": int(wind.lat.size * wind.lon.size),
         "south": float(wind.lat[0]),
@@ -65,6 +72,13 @@ def describe(wind: Wind) -> dict[str, Any]:
         "west": float(wind.lon[0]),
         "east": float(wind.lon[-1]),
     }
+
+
+def carried(wind: Wind) -> list[str]:
+    """Name what a forecast has besides the wind."""
+    parts = {"gusts": wind.gust, "waves": wind.wave, "current": wind.current, "spread": wind.spread}
+    members = [f"{len(wind.members)} members"] if wind.members else []
+    return [name for name, part in parts.items() if part is not None] + members
 
 
 def run_info(arguments: argparse.Namespace) -> int:
@@ -89,7 +103,10 @@ def info_to_json(info: WeatherInfo) -> dict[str, Any]:
     quota = info.quota
     return {
         "schema": "seacruise.weather-info/1",
-        "sources": [{"name": s.name, "usable": s.usable, "remark": s.remark} for s in info.sources],
+        "sources": [
+            {"name": s.name, "usable": s.usable, "remark": s.remark, "terms": s.terms or None}
+            for s in info.sources
+        ],
         "quota": None if quota is None else {"left": quota.left, "daily": quota.daily, "known": quota.known},
         "cached": [{"service": c.service, "place": c.place, "age_h": round(c.age_h, 2)} for c in info.cached],
         "database": str(info.database),
@@ -101,7 +118,9 @@ def info_to_json(info: WeatherInfo) -> dict[str, Any]:
 def info_to_text(info: WeatherInfo) -> str:
     """Say which sources can be used, what is stored, and where."""
     lines = ["Sources"]
-    lines += [f"  {s.name:<11} {'' if s.usable else 'not now: '}{s.remark}" for s in info.sources]
+    for source in info.sources:
+        lines.append(f"  {source.name:<19} {'' if source.usable else 'not now: '}{source.remark}")
+        lines += [f"  {'':<19} {source.terms}"] if source.terms else []
     lines += ["", f"Stored answers: {len(info.cached)}"]
     lines += [f"  {c.service}  {c.place}  {c.age_h:.1f} h old" for c in info.cached]
     lines.append(f"File: {info.database}, {info.database_bytes / 1000:.0f} kB")

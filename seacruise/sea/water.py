@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import math
+import os
 from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from functools import lru_cache
+from itertools import pairwise
 from pathlib import Path
 from typing import Any, Final
 
@@ -29,6 +32,8 @@ APPROACH_NM: Final = 1.0
 SECTORS: Final = 8
 
 _STEPS_AT_ONCE: Final = 32
+_LINES_A_CORE: Final = 20_000
+_CORES: Final = min(4, os.cpu_count() or 1)
 
 Array = NDArray[np.float64]
 
@@ -105,7 +110,18 @@ class Sea:
         x0, y0 = self.water.lines(flat[:, 0], flat[:, 1])
         x1, y1 = self.water.lines(flat[:, 2], flat[:, 3])
         free = np.empty(len(flat), dtype=bool)
-        k.free_lines(self.water.arrays, x0, y0, x1, y1, free)
+        cuts = np.linspace(0, len(flat), 1 + min(_CORES, 1 + len(flat) // _LINES_A_CORE)).astype(int)
+        parts = [np.s_[a:b] for a, b in pairwise(cuts.tolist())]
+        if len(parts) == 1:
+            k.free_lines(self.water.arrays, x0, y0, x1, y1, free)
+        else:
+            # The kernel lets go of the interpreter: a lattice is checked on all cores.
+            checks = [
+                _workers().submit(k.free_lines, self.water.arrays, x0[p], y0[p], x1[p], y1[p], free[p])
+                for p in parts
+            ]
+            for check in checks:
+                check.result()
         return free
 
     def touches_land(self, lat: Array, lon: Array) -> NDArray[np.bool_]:
@@ -185,7 +201,7 @@ class Sea:
             Positions [degrees]; on their ways out to water that is far enough from the shore, and within
             `APPROACH_NM` of these, every water stays water.
         """
-        return _kept_off(self, round(distance_m), tuple(ports))
+        return _kept_off(self.water, round(distance_m), tuple(ports))
 
     def ways_out(self, lat: float, lon: float, *, room_m: float) -> Array:
         """Ways by water from a position to open water, one for each sector of the compass that has one.
@@ -219,11 +235,16 @@ class Sea:
         return np.unique(found, axis=0)
 
 
+@lru_cache(maxsize=1)
+def _workers() -> ThreadPoolExecutor:
+    return ThreadPoolExecutor(_CORES, thread_name_prefix="sea")
+
+
 @lru_cache(maxsize=2)
-def _kept_off(sea: Sea, distance_m: int, ports: tuple[tuple[float, float], ...]) -> Sea:
+def _kept_off(water: raster.WaterRaster, distance_m: int, ports: tuple[tuple[float, float], ...]) -> Sea:
     from seacruise.sea import _kernels as k
 
-    water = sea.water
+    sea = Sea(water)
     latitudes, _ = from_mercator(0.0, water.y0 + (np.arange(water.cells.shape[0]) + 0.5) * water.cell)
     rings = np.ceil(distance_m / (water.cell * scale(latitudes)))[:, None]
     cells = np.where(water.cells < k.WATER + rings, k.LAND, water.cells).astype(np.uint8)

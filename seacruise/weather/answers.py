@@ -13,8 +13,9 @@ import msgspec
 import numpy as np
 
 from seacruise.errors import WeatherError
-from seacruise.weather.cache import PointAnswer
-from seacruise.weather.wind import MAX_SPEED
+from seacruise.weather.point import PointAnswer
+from seacruise.weather.splice import find_splices
+from seacruise.weather.wind import MAX_SPEED, from_direction, to_direction
 
 MAX_GAP_H: Final = 6.0
 """A longer hole between two hours is not bridged; the forecast ends before it [h]."""
@@ -24,6 +25,15 @@ MIN_HOURS: Final = 24.0
 
 MAX_ECHO_DEG: Final = 0.6
 """How far the place of an answer may lie from the place asked, half a cell of a 1-degree model [degrees]."""
+
+MAX_WAVE: Final = 40.0
+"""No sea is higher [m]."""
+
+MAX_CURRENT: Final = 15.0
+"""No current of the sea is faster [m/s]."""
+
+SPLICED: Final = "sg"
+"""The service's own choice of the best model for a place, which changes with the hours."""
 
 _MODEL_NAME: Final = re.compile(r"[A-Za-z0-9:_.-]{1,24}")
 """New models appear without notice, with a colon in some names; what else is sent is not shown to anyone."""
@@ -35,6 +45,11 @@ class _Hour(msgspec.Struct):
     time: datetime
     windSpeed: _Values = {}  # noqa: N815 (the service's own name)
     windDirection: _Values = {}  # noqa: N815
+    # what else is told is welcome, and no reason to refuse the wind
+    gust: Any = None
+    waveHeight: Any = None  # noqa: N815
+    currentSpeed: Any = None  # noqa: N815
+    currentDirection: Any = None  # noqa: N815
 
 
 class _Body(msgspec.Struct):
@@ -51,6 +66,7 @@ class Meta:
 
     used: int | None = None
     daily: int | None = None
+    cost: int = 1
     spent: bool = False
     lat: float | None = None
     lon: float | None = None
@@ -102,7 +118,24 @@ def _meta(raw: bytes) -> Meta:
         value = meta.get(name)
         return float(value) if isinstance(value, (int, float)) else None
 
-    return Meta(used=count("requestCount"), daily=count("dailyQuota"), lat=degrees("lat"), lon=degrees("lng"))
+    cost = count("cost")
+    return Meta(
+        used=count("requestCount"),
+        daily=count("dailyQuota"),
+        cost=1 if cost is None else cost,
+        lat=degrees("lat"),
+        lon=degrees("lng"),
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class _Pick:
+    """Wind of an hour: components [m/s], their standard deviation among sources, and the sources."""
+
+    u: float
+    v: float
+    spread: float
+    models: tuple[str, ...]
 
 
 def to_point(
@@ -111,8 +144,9 @@ def to_point(
     """Make a forecast of one place of an answer.
 
     Speed and direction of an hour are from one model: the wanted source where it has both, else the next
-    one that has, and the notes say so. Hours are put in order, the later of two equal ones counts. Holes
-    up to `MAX_GAP_H` are left to interpolation; a longer one ends the forecast.
+    one that has, and the notes say so. Of several wanted sources the vectors are averaged. Hours are put in
+    order, the later of two equal ones counts. Holes up to `MAX_GAP_H` are left to interpolation; a longer
+    one ends the forecast.
 
     Parameters
     ----------
@@ -121,7 +155,7 @@ def to_point(
     window
         First and last time that were asked [s since 1970].
     source
-        Preferred model, e.g. ``"sg"``.
+        Wanted model, e.g. ``"sg"``; several are joined by ``+``.
 
     Raises
     ------
@@ -136,10 +170,11 @@ def to_point(
         raise WeatherError("Storm Glass answered for another place than the one asked; try again later.")
     if not answer.hours:
         raise WeatherError("Storm Glass sent an answer without a single hour; try again later.")
-    found: dict[float, tuple[float, float, str]] = {}
+    wanted = tuple(dict.fromkeys(source.split("+")))
+    found: dict[float, tuple[_Hour, _Pick]] = {}
     for hour in answer.hours:
-        if (one := _choose(hour, source)) is not None:
-            found[_seconds(hour.time)] = one
+        if (one := _choose(hour, wanted)) is not None:
+            found[_seconds(hour.time)] = hour, one
     if not found:
         raise WeatherError("Storm Glass sent no wind speed with a direction for any hour; try again later.")
     times = sorted(found)
@@ -150,16 +185,40 @@ def to_point(
     kept, cut = _until_gap(times)
     if (kept[-1] - kept[0]) / 3600.0 < MIN_HOURS:
         raise WeatherError(f"Storm Glass sent less than {MIN_HOURS:.0f} hours of wind; try again later.")
-    chosen = [found[time] for time in kept]
-    models = tuple(model for _, _, model in chosen)
+    hours, picks = zip(*(found[time] for time in kept), strict=True)
+    return _point(place, kept, hours, picks, wanted=wanted, notes=_notes(picks, wanted, cut=cut))
+
+
+def _point(
+    place: tuple[float, float],
+    time: list[float],
+    hours: Sequence[_Hour],
+    picks: Sequence[_Pick],
+    *,
+    wanted: tuple[str, ...],
+    notes: tuple[str, ...],
+) -> PointAnswer:
+    u, v = np.array([one.u for one in picks]), np.array([one.v for one in picks])
+    speed, direction = to_direction(u, v)
+    behind = [
+        _behind(hour) if pick.models == (SPLICED,) else frozenset({"+".join(pick.models)})
+        for hour, pick in zip(hours, picks, strict=True)
+    ]
+    current_u, current_v = _current(hours, wanted)
     return PointAnswer(
         lat=place[0],
         lon=place[1],
-        time=tuple(kept),
-        speed=tuple(speed for speed, _, _ in chosen),
-        direction=tuple(direction for _, direction, _ in chosen),
-        model=models,
-        notes=_notes(answer.hours, models, source, cut),
+        time=tuple(time),
+        speed=tuple(speed.tolist()),
+        direction=tuple(direction.tolist()),
+        model=tuple("+".join(one.models) for one in picks),
+        notes=notes,
+        gust=_extra(hours, "gust", wanted, 2 * MAX_SPEED),
+        wave=_extra(hours, "waveHeight", wanted, MAX_WAVE),
+        current_u=current_u,
+        current_v=current_v,
+        spread=tuple(one.spread for one in picks) if len(wanted) > 1 else (),
+        splices=find_splices(np.array(time), (u, v), behind, [_models(hour) for hour in hours]),
     )
 
 
@@ -168,18 +227,86 @@ def _seconds(time: datetime) -> float:
     return (time if time.tzinfo else time.replace(tzinfo=UTC)).timestamp()
 
 
-def _choose(hour: _Hour, source: str) -> tuple[float, float, str] | None:
-    """Speed, direction and model of an hour; ``None`` when no model has both."""
-    others = sorted(filter(_MODEL_NAME.fullmatch, set(hour.windSpeed) & set(hour.windDirection) - {source}))
-    for model in (source, *others):
-        speed, direction = hour.windSpeed.get(model), hour.windDirection.get(model)
-        # numbers like -999 and 9999 stand for missing in the files of some models
-        if speed is None or direction is None or not -360.0 <= direction <= 720.0:
-            continue
-        if not 0.0 <= speed <= MAX_SPEED or not math.isfinite(direction):
-            raise WeatherError(f"Storm Glass sent a wind of {speed:g} m/s, which cannot be; try again later.")
-        return speed, direction % 360.0, model
-    return None
+def _models(hour: _Hour) -> frozenset[str]:
+    """Models of an hour that have both speed and direction."""
+    return frozenset(
+        name
+        for name, speed in hour.windSpeed.items()
+        if speed is not None and hour.windDirection.get(name) is not None and _MODEL_NAME.fullmatch(name)
+    )
+
+
+def _behind(hour: _Hour) -> frozenset[str]:
+    """Models that the service's own choice is a copy of at an hour."""
+    own = hour.windSpeed.get(SPLICED), hour.windDirection.get(SPLICED)
+    return frozenset(
+        name for name in _models(hour) - {SPLICED} if (hour.windSpeed[name], hour.windDirection[name]) == own
+    )
+
+
+def _choose(hour: _Hour, wanted: tuple[str, ...]) -> _Pick | None:
+    """Wind of an hour from the wanted models; from the next one that has any, where they have none."""
+    winds = [(model, one) for model in wanted if (one := _wind(hour, model)) is not None]
+    if not winds:
+        others = sorted(_models(hour) - set(wanted))
+        winds = [(model, one) for model in others if (one := _wind(hour, model)) is not None][:1]
+    if not winds:
+        return None
+    u = sum(one[0] for _, one in winds) / len(winds)
+    v = sum(one[1] for _, one in winds) / len(winds)
+    square = sum((one[0] - u) ** 2 + (one[1] - v) ** 2 for _, one in winds) / len(winds)
+    # how far a single one errs is not known
+    spread = math.nan if len(winds) == 1 else math.sqrt(square)
+    return _Pick(u, v, spread, tuple(model for model, _ in winds))
+
+
+def _wind(hour: _Hour, model: str) -> tuple[float, float] | None:
+    """Components of the wind that a model has for an hour [m/s].
+
+    Raises
+    ------
+    WeatherError
+        When it cannot be.
+    """
+    speed, direction = hour.windSpeed.get(model), hour.windDirection.get(model)
+    # numbers like -999 and 9999 stand for missing in the files of some models
+    if speed is None or direction is None or not -360.0 <= direction <= 720.0:
+        return None
+    if not 0.0 <= speed <= MAX_SPEED:
+        raise WeatherError(f"Storm Glass sent a wind of {speed:g} m/s, which cannot be; try again later.")
+    u, v = from_direction(speed, direction)
+    return float(u), float(v)
+
+
+def _told(hours: Sequence[_Hour], name: str, wanted: tuple[str, ...], most: float) -> dict[str, list[float]]:
+    """Values of a parameter by model, NaN where it has none; the model to be taken comes first."""
+    by_model: dict[str, list[float]] = {}
+    for index, hour in enumerate(hours):
+        told = getattr(hour, name)
+        for model, value in told.items() if isinstance(told, dict) else ():
+            if type(value) in {int, float} and 0.0 <= value <= most and _MODEL_NAME.fullmatch(str(model)):
+                by_model.setdefault(model, [math.nan] * len(hours))[index] = float(value)
+    rank = {model: number for number, model in enumerate((*wanted, SPLICED))}
+    # one model for all hours: a step from one to another would look like weather
+    order = sorted(
+        by_model, key=lambda model: (sum(map(math.isnan, by_model[model])), rank.get(model, 99), model)
+    )
+    return {model: by_model[model] for model in order}
+
+
+def _extra(hours: Sequence[_Hour], name: str, wanted: tuple[str, ...], most: float) -> tuple[float, ...]:
+    return tuple(next(iter(_told(hours, name, wanted, most).values()), ()))
+
+
+def _current(hours: Sequence[_Hour], wanted: tuple[str, ...]) -> tuple[tuple[float, ...], tuple[float, ...]]:
+    """Motion of the water; the service says where it comes FROM, as it does of the wind."""
+    speeds = _told(hours, "currentSpeed", wanted, MAX_CURRENT)
+    directions = _told(hours, "currentDirection", wanted, 360.0)
+    model = next((name for name in speeds if name in directions), None)
+    if model is None:
+        return (), ()
+    u, v = from_direction(speeds[model], directions[model])
+    return tuple(u.tolist()), tuple(v.tolist())
 
 
 def _until_gap(times: list[float]) -> tuple[list[float], bool]:
@@ -188,35 +315,16 @@ def _until_gap(times: list[float]) -> tuple[list[float], bool]:
     return (times, False) if holes.size == 0 else (times[: int(holes[0]) + 1], True)
 
 
-def _notes(hours: Sequence[_Hour], models: tuple[str, ...], source: str, cut: bool) -> tuple[str, ...]:
+def _notes(picks: Sequence[_Pick], wanted: tuple[str, ...], *, cut: bool) -> tuple[str, ...]:
     notes = []
-    others = sorted({model for model in models if model != source})
+    others = sorted({model for pick in picks for model in pick.models} - set(wanted))
     if others:
-        count = sum(model != source for model in models)
-        notes.append(f"{count} of {len(models)} hours are from {', '.join(others)}, where {source} has none.")
-    if (seam := _seam(hours, source)) is not None:
-        before, after, when = seam
-        notes.append(f"Storm Glass follows {before} until {when:%d %b %H:%M} UTC, then {after}.")
+        count = sum(not set(pick.models) & set(wanted) for pick in picks)
+        names = " and ".join(wanted)
+        notes.append(
+            f"{count} of {len(picks)} hours are from {', '.join(others)}, where {names} "
+            f"{'has' if len(wanted) == 1 else 'have'} none."
+        )
     if cut:
         notes.append(f"Hours after a hole of more than {MAX_GAP_H:.0f} h are not used.")
     return tuple(notes)
-
-
-def _seam(hours: Sequence[_Hour], source: str) -> tuple[str, str, datetime] | None:
-    """First change of the model that a spliced source such as ``sg`` equals; its wind may jump there."""
-    previous: tuple[str, datetime] | None = None
-    for hour in sorted(hours, key=lambda one: _seconds(one.time)):
-        own = (hour.windSpeed.get(source), hour.windDirection.get(source))
-        same = [
-            model
-            for model in hour.windSpeed
-            if model != source and (hour.windSpeed[model], hour.windDirection.get(model)) == own
-        ]
-        if None in own or not same:
-            continue
-        when = datetime.fromtimestamp(_seconds(hour.time), UTC)
-        if previous is not None and previous[0] not in same:
-            return previous[0], same[0], when
-        if previous is None:
-            previous = (same[0], when)
-    return None

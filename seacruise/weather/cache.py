@@ -6,23 +6,30 @@ Neither holds the key, only the hash that tells keys apart.
 from __future__ import annotations
 
 import hashlib
+import sqlite3
 import zlib
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any, Final
 
-import msgspec
-
 from seacruise.store import Store, StoreError
+from seacruise.weather.grids import Box
+from seacruise.weather.point import PointAnswer, pack, unpack
 
 FREE_PLAN_QUOTA: Final = 10
 """Requests a day of the free plan; assumed until the service tells another number."""
 
 KEPT_S: Final = 10 * 86400.0
 """Answers reach ten days ahead; older ones are thrown away [s]."""
+
+MAX_BYTES: Final = 32_000_000
+"""Size of all answers together; beyond it the oldest go: some 2,500 of ten days."""
+
+OVERTAKING: Final = 5
+"""Answers that may overtake one another; a count that is lower by more is of the service's new day."""
 
 _STEPS: Final = (
     """CREATE TABLE weather_answer (
@@ -31,39 +38,69 @@ _STEPS: Final = (
     """CREATE TABLE weather_quota (
         key_hash TEXT NOT NULL, day TEXT NOT NULL, used INTEGER NOT NULL, daily INTEGER NOT NULL,
         PRIMARY KEY (key_hash, day))""",
+    # bodies lie in a table of their own, so that looking through a thousand answers reads a few pages
+    """CREATE TABLE weather_forecast (
+        id INTEGER PRIMARY KEY, service TEXT NOT NULL, place TEXT NOT NULL, run REAL NOT NULL,
+        lat REAL NOT NULL, lon REAL NOT NULL, fetched REAL NOT NULL, expires REAL, last REAL,
+        size INTEGER NOT NULL, UNIQUE (service, place, run))""",
+    """CREATE TABLE weather_body (
+        id INTEGER PRIMARY KEY REFERENCES weather_forecast (id) ON DELETE CASCADE,
+        checksum INTEGER NOT NULL, body BLOB NOT NULL)""",
+    """INSERT INTO weather_forecast (service, place, run, lat, lon, fetched, size)
+        SELECT service, place, fetched, CAST(substr(place, 1, instr(place, ',') - 1) AS REAL),
+        CAST(substr(place, instr(place, ',') + 1) AS REAL), fetched, length(body) FROM weather_answer""",
+    """INSERT INTO weather_body SELECT f.id, a.checksum, a.body
+        FROM weather_answer a JOIN weather_forecast f USING (service, place)""",
+    "DROP TABLE weather_answer",
 )
 
+_KEPT: Final = """SELECT f.id, f.fetched, f.expires, f.run, b.checksum, b.body
+    FROM weather_forecast f JOIN weather_body b USING (id) WHERE """
 
-class PointAnswer(msgspec.Struct, frozen=True):
-    """What a service said about one place, checked and reduced to what is used.
+_EARLIER: Final = """f.id < ? AND (f.service, f.place) = (
+    SELECT service, place FROM weather_forecast WHERE id = ?) ORDER BY f.id DESC"""
 
-    Attributes
-    ----------
-    time
-        Seconds since 1970-01-01T00:00Z, strictly increasing.
-    speed, direction
-        [m/s] and degrees true FROM; as many as times.
-    model
-        Name of the source each hour is from.
-    notes
-        Sentences about what was missing or replaced.
-    """
-
-    lat: float
-    lon: float
-    time: tuple[float, ...]
-    speed: tuple[float, ...]
-    direction: tuple[float, ...]
-    model: tuple[str, ...]
-    notes: tuple[str, ...] = ()
+_MOST_VARIABLES: Final = 500
+"""SQLite's own limit of parameters in one statement is 999 in old versions."""
 
 
 @dataclass(frozen=True, slots=True)
 class CachedAnswer:
-    """An answer and when it was given [s since 1970]."""
+    """An answer, and its times in seconds since 1970.
+
+    Attributes
+    ----------
+    fetched
+        When it was given.
+    expires
+        Until when it is as good as a new one, by the cycle in which its source is brought up to date;
+        ``None`` where that was not kept.
+    run
+        Run of the model; ``None`` where an answer counts as a run of its own. Of a place's answers from
+        one run the latest is kept, and those of earlier runs stand in where it is damaged.
+    """
 
     answer: PointAnswer
     fetched: float
+    expires: float | None = None
+    run: float | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Found:
+    """An answer that the cache has for a place [degrees]; `WeatherCache.read` reads it.
+
+    Attributes
+    ----------
+    fetched, expires
+        As in `CachedAnswer`.
+    """
+
+    number: int
+    lat: float
+    lon: float
+    fetched: float
+    expires: float | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -104,35 +141,69 @@ class WeatherCache:
         store.migrate("weather", _STEPS)
 
     def put(self, lat: float, lon: float, service: str, cached: CachedAnswer) -> None:
-        """Keep an answer for a place in place of an older one, and throw away those too old for anything."""
-        body = zlib.compress(msgspec.msgpack.encode(cached.answer))
+        """Keep an answer for a place and run, and throw away those too old for anything, or too many."""
+        body = pack(cached.answer)
+        place, run = place_id(lat, lon), cached.fetched if cached.run is None else cached.run
+        last = max(cached.answer.time, default=None)
+        row = (service, place, run, lat, lon, cached.fetched, cached.expires, last, len(body))
         with self._store.writing() as db:
-            db.execute("DELETE FROM weather_answer WHERE fetched < ?", (cached.fetched - KEPT_S,))
+            db.execute("DELETE FROM weather_forecast WHERE fetched < ?", (cached.fetched - KEPT_S,))
             db.execute(
-                "INSERT OR REPLACE INTO weather_answer VALUES (?, ?, ?, ?, ?)",
-                (place_id(lat, lon), service, cached.fetched, zlib.crc32(body), body),
+                "DELETE FROM weather_forecast WHERE service = ? AND place = ? AND run = ?",
+                (service, place, run),
             )
+            added = db.execute(
+                """INSERT INTO weather_forecast (service, place, run, lat, lon, fetched, expires, last, size)
+                VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)""",
+                row,
+            ).lastrowid
+            db.execute("INSERT INTO weather_body VALUES (?, ?, ?)", (added, zlib.crc32(body), body))
+            _drop_oldest(db, MAX_BYTES)
 
-    def get(self, lat: float, lon: float, service: str) -> CachedAnswer | None:
-        """Answer kept for a place, of any age; ``None`` when there is none or it is damaged."""
+    def around(self, box: Box, service: str, reaching: float) -> tuple[Found, ...]:
+        """List the latest answers kept for the places in an area, of any age, without reading them.
+
+        Parameters
+        ----------
+        box
+            South, west, north, east [degrees].
+        reaching
+            Answers that end before this time are passed over [s since 1970].
+        """
+        south, west, north, east = box
+        found: dict[str, Found] = {}
         with self._store.reading() as db:
-            row = db.execute(
-                "SELECT fetched, checksum, body FROM weather_answer WHERE place = ? AND service = ?",
-                (place_id(lat, lon), service),
-            ).fetchone()
-        if row is None or zlib.crc32(row[2]) != row[1]:
-            return None
-        try:
-            answer = msgspec.msgpack.decode(zlib.decompress(row[2]), type=PointAnswer)
-        except (zlib.error, msgspec.DecodeError):
-            return None
-        return CachedAnswer(answer=answer, fetched=row[0])
+            rows = db.execute(
+                """SELECT place, id, lat, lon, fetched, expires FROM weather_forecast
+                WHERE service = ? AND lat BETWEEN ? AND ? AND lon BETWEEN ? AND ?
+                AND (last IS NULL OR last >= ?) ORDER BY id DESC""",
+                (service, south, north, west, east, reaching),
+            )
+            for place, *rest in rows:
+                found.setdefault(place, Found(*rest))
+        return tuple(found.values())
+
+    def read(self, found: Sequence[Found]) -> dict[int, CachedAnswer]:
+        """Read answers, by their number; for a damaged one that of an earlier run, if there is any."""
+        answers: dict[int, CachedAnswer] = {}
+        with self._store.reading() as db:
+            for first in range(0, len(found), _MOST_VARIABLES):
+                part = [one.number for one in found[first : first + _MOST_VARIABLES]]
+                marks = ",".join("?" * len(part))
+                for number, *row in db.execute(f"{_KEPT} f.id IN ({marks})", part):
+                    if (answer := _cached(row)) is not None:
+                        answers[number] = answer
+            for number in {one.number for one in found} - set(answers):
+                rows = db.execute(f"{_KEPT} {_EARLIER}", (number, number))
+                if (answer := next((one for _, *row in rows if (one := _cached(row))), None)) is not None:
+                    answers[number] = answer
+        return answers
 
     def ages(self, now: datetime) -> tuple[tuple[str, str, float], ...]:
         """Service, place and age [h] of every answer kept, the youngest first."""
         with self._store.reading() as db:
             rows = db.execute(
-                "SELECT service, place, fetched FROM weather_answer ORDER BY fetched DESC"
+                "SELECT service, place, fetched FROM weather_forecast ORDER BY fetched DESC"
             ).fetchall()
         return tuple(
             (service, place, (now.timestamp() - fetched) / 3600.0) for service, place, fetched in rows
@@ -159,16 +230,20 @@ class WeatherCache:
         *,
         used: int | None = None,
         daily: int | None = None,
+        cost: int = 1,
         spent: bool = False,
     ) -> None:
         """Write a request into the ledger, with the service's own count when its answer carried one.
 
-        Answers overtake each other and the key may be in use elsewhere: the highest count of a day holds.
+        Answers overtake each other and the key may be in use elsewhere: the highest count of a day holds,
+        until the service counts from the beginning again: it is its day that matters, not this computer's.
 
         Parameters
         ----------
         used, daily
             Requests of today and allowed a day, as the service counts them.
+        cost
+            Requests that the answer counts for, where the service does not tell their number.
         spent
             The service refused because nothing is left.
         """
@@ -184,8 +259,10 @@ class WeatherCache:
             allowed = daily if daily is not None else (last[0] if last else FREE_PLAN_QUOTA)
             if spent:
                 count = max(before, allowed)
+            elif used is None:
+                count = before + cost
             else:
-                count = before + 1 if used is None else max(before, used)
+                count = used if used < before - OVERTAKING else max(before, used)
             db.execute(
                 "INSERT OR REPLACE INTO weather_quota VALUES (?, ?, ?, ?)",
                 (_hash(key), _day(now), count, allowed),
@@ -214,12 +291,19 @@ class Memory:
         except StoreError as error:
             self.trouble = str(error)
 
-    def recall(self, lat: float, lon: float, service: str) -> CachedAnswer | None:
-        """Answer kept for a place, if any."""
+    def around(self, box: Box, service: str, reaching: float) -> tuple[Found, ...]:
+        """List the answers kept for an area; see `WeatherCache.around`."""
         if self._cache is not None:
             with self._excused():
-                return self._cache.get(lat, lon, service)
-        return None
+                return self._cache.around(box, service, reaching)
+        return ()
+
+    def read(self, found: Sequence[Found]) -> dict[int, CachedAnswer]:
+        """Read answers, by their number; see `WeatherCache.read`."""
+        if self._cache is not None:
+            with self._excused():
+                return self._cache.read(found)
+        return {}
 
     def keep(self, service: str, cached: CachedAnswer) -> None:
         """Keep an answer for its place."""
@@ -246,6 +330,23 @@ class Memory:
             with self._excused():
                 return self._cache.ages(now)
         return ()
+
+
+def _cached(row: Sequence[Any]) -> CachedAnswer | None:
+    fetched, expires, run, checksum, body = row
+    answer = unpack(body) if zlib.crc32(body) == checksum else None
+    return None if answer is None else CachedAnswer(answer, fetched=fetched, expires=expires, run=run)
+
+
+def _drop_oldest(db: sqlite3.Connection, most: int) -> None:
+    total = db.execute("SELECT SUM(size) FROM weather_forecast").fetchone()[0]
+    if total <= most:
+        return
+    for number, size in db.execute("SELECT id, size FROM weather_forecast ORDER BY fetched").fetchall():
+        db.execute("DELETE FROM weather_forecast WHERE id = ?", (number,))
+        total -= size
+        if total <= most:
+            return
 
 
 def _hash(key: str) -> str:

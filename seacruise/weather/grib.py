@@ -1,4 +1,4 @@
-"""Wind at 10 m from GRIB 1 and 2, as sailors get it by e-mail, from XyGrib or from a weather service."""
+"""Wind, gusts, waves and current from GRIB 1 and 2, as sailors get it by e-mail or from a weather service."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import atexit
 import os
 import sys
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from datetime import UTC, datetime
 from functools import cache
 from pathlib import Path
@@ -16,68 +16,109 @@ import numpy as np
 from numpy.typing import NDArray
 
 from seacruise.errors import InputError, WeatherError
-from seacruise.weather.grids import Array, Grid, RawWind, ascending, onto
+from seacruise.weather.grids import Array, RawFile
+from seacruise.weather.messages import CURRENT, GUST, WAVE, WIND, Message, Role, join
 
-Component = Literal["u", "v"]
+_NAMES: Final[dict[str, Role]] = {
+    "10u": "u", "u": "u", "ugrd": "u", "10u_instant": "u",
+    "10v": "v", "v": "v", "vgrd": "v", "10v_instant": "v",
+    "gust": "gust", "10fg": "gust", "i10fg": "gust", "10fg3": "gust", "10fg6": "gust", "max_i10fg": "gust",
+    "swh": "wave",
+    "ocu": "cu", "uoe": "cu", "ucurr": "cu", "uogrd": "cu",
+    "ocv": "cv", "von": "cv", "vcurr": "cv", "vogrd": "cv",
+}  # fmt: skip
+_GRIB1_NUMBERS: Final[dict[int, Role]] = {
+    33: "u", 34: "v", 49: "cu", 50: "cv", 100: "wave", 180: "gust",
+}  # fmt: skip
+"""Numbers of WMO's and NCEP's table 2, for senders whose centre the library does not know."""
 
-_U_NAMES: Final = {"10u", "u", "ugrd", "10u_instant"}
-_V_NAMES: Final = {"10v", "v", "vgrd", "10v_instant"}
-_GRIB1_U, _GRIB1_V, _GRIB1_CURRENTS = 33, 34, (47, 48, 49, 50)
-_GRIB1_HEIGHT, _GRIB1_SURFACE = 105, 1
+_GRIB2_NUMBERS: Final[dict[tuple[int, int, int], Role]] = {
+    (10, 1, 2): "cu", (10, 1, 3): "cv", (10, 0, 3): "wave", (0, 2, 22): "gust",
+}  # fmt: skip
+"""Discipline, category and number, where the library's own names depend on the centre."""
+
+_CURRENT_SPEEDS: Final = (47, 48)
+"""Direction and speed of the current in GRIB 1: they tell that a file is about the sea, no more."""
+
+_AS_A_WHOLE: Final = frozenset({None, 0, 1, 6})
+"""Derived forecasts (code table 4.7) that are a wind: means. The others are spreads, quantiles, extremes."""
+
+_NOT_A_VALUE: Final = frozenset({5, 6, 9, 10})
+"""Templates of product definition for probabilities and percentiles."""
+
 _TIME_UNITS: Final = frozenset({0, 1, 2, 10, 11, 12, 13, 14, 254})
 """Minutes to days and seconds, in the codes of either edition."""
+
+_MOST_POINTS: Final = 50_000_000
+"""More than any model's grid has."""
 
 _ROUNDING_DEG: Final = 0.0005
 """GRIB 1 rounds degrees to three digits."""
 
 
-@dataclass(frozen=True, slots=True)
-class _Message:
-    """One component of the wind at one time."""
+@dataclass(slots=True)
+class _Reading:
+    """What has been met so far on the way through a file."""
 
-    component: Component
-    grid: tuple[Any, ...]
-    run: float
-    valid: float
-    member: int
-    lat: Array
-    lon: Array
-    grid_relative: bool
-    values: NDArray[np.float32]
+    messages: list[Message]
+    notes: list[str]
+    seen: int = 0
+    is_sea: bool = False
+    damage: str = ""
 
 
-def read_grib(data: bytes, *, source: str) -> RawWind:
-    """Read the wind at 10 m from the bytes of a GRIB file.
+def read_grib(data: bytes, *, source: str) -> RawFile:
+    """Read wind, gusts, waves and current from the bytes of a GRIB file, as far as they are there.
 
-    Of several runs the latest is taken for each hour, of an ensemble the control. Where a file mixes
-    grids, the finest is kept and coarser ones extend it in time.
+    Of several runs the latest is taken for each hour. Where a file mixes grids, the finest is kept and
+    coarser ones extend it in time.
 
     Raises
     ------
     WeatherError
-        ``bad-response``, with an unfinished sentence, when there is no wind that can be used.
+        ``bad-response``, with an unfinished sentence, when it is no GRIB file, or damaged.
     InputError
         When the library that decodes GRIB is not installed.
     """
-    messages: list[_Message] = []
-    notes: list[str] = []
-    seen = currents = 0
+    reading = _Reading([], [])
     for block, whole in _split(data):
         if not whole:
-            notes.append(f"The file is cut off after {seen} messages.")
+            reading.notes.append(f"The file is cut off after {reading.seen} messages.")
             break
-        seen += 1
-        decoded, is_current = _decode(block)
-        currents += is_current
-        if decoded is not None:
-            messages.append(decoded)
-    if not seen:
+        reading.seen += 1
+        _decode(block, reading)
+    if not reading.seen:
         raise WeatherError("it is not a GRIB file, or nothing of it arrived")
-    if not messages:
-        if currents:
-            raise WeatherError("it holds sea currents and no wind; give it as the current instead")
-        raise WeatherError(f"none of its {seen} messages is wind at 10 m")
-    return _join(messages, source, notes)
+    return _made(reading, source)
+
+
+def _made(reading: _Reading, source: str) -> RawFile:
+    messages, notes = reading.messages, reading.notes
+    if reading.damage:
+        notes.append(f"Some of what is in the file besides the wind is not used: {reading.damage}.")
+    wind = join(messages, WIND, notes)
+    current = join(messages, CURRENT, notes)
+    troubles = {"current": f"none of its {reading.seen} messages is a sea current"}
+    if wind is None:
+        half = any(message.role in WIND for message in messages)
+        sea = reading.is_sea or any(message.role in CURRENT for message in messages)
+        if half:
+            troubles["wind"] = "it holds only one of the two components of the wind"
+        elif sea:
+            troubles["wind"] = "it holds sea currents and no wind; give it as the current instead"
+        else:
+            troubles["wind"] = f"none of its {reading.seen} messages is wind at 10 m"
+    runs = [message.run for message in messages if message.role in WIND] or [m.run for m in messages]
+    return RawFile(
+        source,
+        issued=datetime.fromtimestamp(max(runs), UTC) if runs else None,
+        wind=wind,
+        gust=join(messages, GUST, []),
+        wave=join(messages, WAVE, []),
+        current=current,
+        troubles=troubles,
+        notes=tuple(dict.fromkeys(notes)),
+    )
 
 
 def _split(data: bytes) -> Iterator[tuple[bytes, bool]]:
@@ -116,8 +157,8 @@ def _is_sound(block: bytes) -> bool:
     return position == len(block) - 4
 
 
-def _decode(block: bytes) -> tuple[_Message | None, bool]:
-    """Decode a message when it is wind at 10 m; the flag tells whether it is a sea current."""
+def _decode(block: bytes, reading: _Reading) -> None:
+    """Decode a message when it is one of those wanted."""
     eccodes = _eccodes()
     if not _is_sound(block):
         raise WeatherError("one of its messages is damaged")
@@ -125,14 +166,19 @@ def _decode(block: bytes) -> tuple[_Message | None, bool]:
         handle = eccodes.codes_new_from_message(block)
     except eccodes.CodesInternalError:
         raise WeatherError("one of its messages is damaged") from None
+    role: Role | Literal["sea"] | None = None
     try:
-        component = _component(eccodes, handle)
-        if component == "current":
-            return None, True
-        return (None if component is None else _message(eccodes, handle, component)), False
-    except (eccodes.CodesInternalError, ValueError, OverflowError, TypeError) as error:
+        role = _role(eccodes, handle)
+        if role == "sea":
+            reading.is_sea = True
+        elif role is not None:
+            reading.messages.append(_message(eccodes, handle, role))
+    except (eccodes.CodesInternalError, ValueError, OverflowError, TypeError, WeatherError) as error:
         # dates and sizes that are none, besides the library's own complaints
-        raise WeatherError(f"one of its messages cannot be decoded ({error})") from None
+        if role in (None, *WIND):
+            sentence = f"one of its messages cannot be decoded ({error})"
+            raise WeatherError(str(error) if isinstance(error, WeatherError) else sentence) from None
+        reading.damage = str(error)
     finally:
         eccodes.codes_release(handle)
 
@@ -166,33 +212,45 @@ def _silence() -> IO[bytes] | None:
     return nowhere
 
 
-def _component(eccodes: Any, handle: Any) -> Component | Literal["current"] | None:
-    name = str(eccodes.codes_get(handle, "shortName"))
+def _role(eccodes: Any, handle: Any) -> Role | Literal["sea"] | None:
+    """Tell what a message is to us; ``"sea"`` is about currents and no use."""
+    role = _named(eccodes, handle)
+    if role not in ("u", "v"):
+        return role
     level = int(eccodes.codes_get(handle, "level"))
     kind = str(eccodes.codes_get(handle, "typeOfLevel"))
     # some senders (uGrib) label 10 m wind as surface wind
-    low = (kind == "heightAboveGround" and level == 10) or kind == "surface"
-    if name in ("ucurr", "vcurr", "uogrd", "vogrd", "ocu", "ocv", "uoe", "von"):
-        return "current"
-    if low and name in _U_NAMES:
-        return "u"
-    if low and name in _V_NAMES:
-        return "v"
-    if name == "unknown" and int(eccodes.codes_get(handle, "edition")) == 1:
+    is_low = (kind == "heightAboveGround" and level == 10) or kind == "surface"
+    if not is_low and kind == "unknown" and int(eccodes.codes_get(handle, "edition")) == 1:
+        # 105: metres above ground, 1: surface
+        number = eccodes.codes_get(handle, "indicatorOfTypeOfLevel", int)
+        is_low = (number, level) == (105, 10) or number == 1
+    return role if is_low else None
+
+
+def _named(eccodes: Any, handle: Any) -> Role | Literal["sea"] | None:
+    name = str(eccodes.codes_get(handle, "shortName"))
+    if int(eccodes.codes_get(handle, "edition")) == 1:
+        if name != "unknown":
+            return _NAMES.get(name)
         # senders that give a centre of their own leave the library without names
         number = int(eccodes.codes_get(handle, "indicatorOfParameter"))
-        kind_number = eccodes.codes_get(handle, "indicatorOfTypeOfLevel", int)
-        if number in _GRIB1_CURRENTS:
-            return "current"
-        if number in (_GRIB1_U, _GRIB1_V) and (kind_number, level) in (
-            (_GRIB1_HEIGHT, 10),
-            (_GRIB1_SURFACE, level),
-        ):
-            return "u" if number == _GRIB1_U else "v"
-    return None
+        return "sea" if number in _CURRENT_SPEEDS else _GRIB1_NUMBERS.get(number)
+    if _get(eccodes, handle, "derivedForecast") not in _AS_A_WHOLE:
+        return None
+    if _get(eccodes, handle, "productDefinitionTemplateNumber") in _NOT_A_VALUE:
+        return None
+    numbers = ("discipline", "parameterCategory", "parameterNumber")
+    known = _NAMES.get(name)
+    return known or _GRIB2_NUMBERS.get(tuple(int(eccodes.codes_get(handle, key)) for key in numbers))  # type: ignore[arg-type]
 
 
-def _message(eccodes: Any, handle: Any, component: Component) -> _Message:
+def _get(eccodes: Any, handle: Any, key: str) -> int | None:
+    """Value of a key that not every message has."""
+    return int(eccodes.codes_get(handle, key)) if eccodes.codes_is_defined(handle, key) else None
+
+
+def _message(eccodes: Any, handle: Any, role: Role) -> Message:
     get = eccodes.codes_get
     kind = str(get(handle, "gridType"))
     rows, columns = int(get(handle, "Nj")), int(get(handle, "Ni"))
@@ -200,6 +258,9 @@ def _message(eccodes: Any, handle: Any, component: Component) -> _Message:
     if int(get(handle, "indicatorOfUnitOfTimeRange")) not in _TIME_UNITS:
         # the library divides by the length of a unit that it does not know
         raise WeatherError("one of its messages is damaged (its unit of time)")
+    if rows * columns > _MOST_POINTS or int(get(handle, "numberOfValues")) > rows * columns:
+        # the library would believe it, and ask for gigabytes
+        raise WeatherError("one of its messages is damaged (its number of values)")
     values = np.asarray(eccodes.codes_get_values(handle))
     if values.size != rows * columns:
         raise WeatherError(f"a grid of the kind {kind} with {values.size} values cannot be read")
@@ -212,23 +273,17 @@ def _message(eccodes: Any, handle: Any, component: Component) -> _Message:
         lon = np.unwrap(np.unwrap(lon, axis=1, period=360.0), axis=0, period=360.0)
         # eccodes counts longitudes from 0; the middle decides, so that the grid stays in one piece
         lon = lon - 360.0 * np.round(float(np.median(lon)) / 360.0)
-        grid = (
-            kind,
-            rows,
-            columns,
-            float(lat[0, 0]),
-            float(lon[0, 0]),
-            float(lat[-1, -1]),
-            float(lon[-1, -1]),
-        )
-    return _Message(
-        component=component,
+        corners = (float(lat[0, 0]), float(lon[0, 0]), float(lat[-1, -1]), float(lon[-1, -1]))
+        grid = (kind, rows, columns, *corners)
+    if not (np.isfinite(lat).all() and np.isfinite(lon).all()):
+        raise WeatherError("one of its messages is damaged (its grid)")
+    return Message(
+        role=role,
         grid=grid,
         run=_moment(get(handle, "dataDate"), get(handle, "dataTime")),
         valid=_moment(get(handle, "validityDate"), get(handle, "validityTime")),
-        member=int(get(handle, "perturbationNumber"))
-        if eccodes.codes_is_defined(handle, "perturbationNumber")
-        else 0,
+        member=_get(eccodes, handle, "perturbationNumber"),
+        level=abs(int(get(handle, "level"))),
         lat=lat,
         lon=lon,
         grid_relative=kind != "regular_ll" and bool(get(handle, "uvRelativeToGrid")),
@@ -279,81 +334,3 @@ def _regular_axes(eccodes: Any, handle: Any) -> tuple[Array, Array, tuple[Any, .
     lon = axis("longitude", "i", columns, not eccodes.codes_get(handle, "iScansNegatively"))
     ends = tuple(round(float(value), 3) for value in (lat[0], lat[-1], lon[0], lon[-1]))
     return lat, lon, ("regular_ll", rows, columns, *ends)
-
-
-def _join(messages: list[_Message], source: str, notes: list[str]) -> RawWind:
-    members = sorted({message.member for message in messages})
-    if len(members) > 1:
-        notes.append(f"Of {len(members)} members, member {members[0]} is used.")
-        messages = [message for message in messages if message.member == members[0]]
-    runs = sorted({message.run for message in messages})
-    if len(runs) > 1:
-        notes.append(f"Of {len(runs)} model runs, the latest is used for each hour.")
-    grids: dict[tuple[Any, ...], list[_Message]] = {}
-    for message in messages:
-        grids.setdefault(message.grid, []).append(message)
-    parts = [part for group in grids.values() if (part := _stack(group, source)) is not None]
-    if not parts:
-        raise WeatherError("it holds only one of the two components of the wind")
-    return replace(
-        _combine(parts, notes),
-        issued=datetime.fromtimestamp(runs[-1], UTC),
-        notes=tuple(dict.fromkeys(notes)),
-    )
-
-
-def _stack(group: list[_Message], source: str) -> RawWind | None:
-    """Put the messages of one grid in order of time; ``None`` without a time that has both components."""
-    found: dict[float, dict[Component, _Message]] = {}
-    for message in sorted(group, key=lambda one: one.run):
-        found.setdefault(message.valid, {})[message.component] = message
-    both = [(valid, pair["u"], pair["v"]) for valid, pair in sorted(found.items()) if len(pair) == 2]
-    if not both:
-        return None
-    first = both[0][1]
-    return RawWind(
-        time=np.array([valid for valid, _, _ in both]),
-        lat=first.lat,
-        lon=first.lon,
-        u=np.stack([u.values for _, u, _ in both]),
-        v=np.stack([v.values for _, _, v in both]),
-        source=source,
-        issued=None,
-        grid_relative=first.grid_relative,
-    )
-
-
-def _combine(parts: list[RawWind], notes: list[str]) -> RawWind:
-    """Keep the finest grid and extend it in time by the coarser ones that cover it."""
-    if len(parts) == 1:
-        return parts[0]
-    if any(part.lat.ndim == 2 for part in parts):
-        notes.append(f"The file mixes {len(parts)} grids; the one with the most hours is used.")
-        return max(parts, key=lambda part: part.time.size)
-    parts = sorted((ascending(part) for part in parts), key=lambda part: (_step(part), -part.time.size))
-    base = parts[0]
-    for other in parts[1:]:
-        new = ~np.isin(other.time, base.time)
-        fitted = onto(
-            replace(other, time=other.time[new], u=other.u[new], v=other.v[new]), base.lat, base.lon
-        )
-        if not new.any() or np.isnan(fitted.u).mean() > np.isnan(other.u).mean() + 0.05:
-            notes.append(f"A second grid of {_step(other):.2f} degrees in the file is not used.")
-            continue
-        notes.append(f"{int(new.sum())} of the hours are from a coarser grid of {_step(other):.2f} degrees.")
-        base = _merged(base, fitted)
-    return base
-
-
-def _merged(base: RawWind, other: RawWind) -> RawWind:
-    time = np.concatenate([base.time, other.time])
-    order = np.argsort(time)
-
-    def joined(first: Grid, second: Grid) -> Grid:
-        return np.concatenate([first, second])[order]
-
-    return replace(base, time=time[order], u=joined(base.u, other.u), v=joined(base.v, other.v))
-
-
-def _step(raw: RawWind) -> float:
-    return float(abs(raw.lat[-1] - raw.lat[0])) / max(raw.lat.size - 1, 1)

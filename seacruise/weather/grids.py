@@ -1,9 +1,9 @@
-"""From the grids that models and files come on to the one regular grid of `Wind`."""
+"""From the grids that models and files come on to regular ones: true north, ascending, evenly spaced."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from datetime import datetime
 from typing import Final
 
@@ -11,8 +11,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from seacruise.errors import WeatherError
-from seacruise.weather.gaps import fill_gaps
-from seacruise.weather.wind import Forecast, Wind, describe_grid, require_cover
 
 Array = NDArray[np.float64]
 Grid = NDArray[np.float32]
@@ -23,39 +21,86 @@ Box = tuple[float, float, float, float]
 Place = tuple[float, float]
 """Latitude, longitude [degrees]."""
 
-MARGIN_DEG: Final = 3.0
-"""What is kept of a file around the ends of a passage, at least: room for any detour [degrees]."""
-
 MAX_VALUES: Final = 20_000_000
-"""Values per component that a resampled wind may have (80 MB); finer model grids are thinned to it."""
+"""Values per component that a resampled grid may have (80 MB); finer model grids are thinned to it."""
+
+MOST_READ: Final = 250_000_000
+"""Values that a variable or message may claim to have (1 GB): a flipped bit must not eat all the memory."""
 
 _EVEN: Final = 1e-3
+_ROUNDED: Final = 1e-6
 
 
 @dataclass(frozen=True, slots=True)
-class RawWind:
-    """A wind as it was read: missing values are NaN, axes run either way, longitudes may exceed 180.
+class RawField:
+    """Values on one grid as they were read: missing ones are NaN, axes run either way.
 
     Attributes
     ----------
     time
-        ``(t,)`` seconds since 1970-01-01T00:00Z.
+        ``(t,)`` seconds since 1970-01-01T00:00Z, increasing.
     lat, lon
-        ``(y,)`` and ``(x,)`` degrees of a regular grid, or both ``(y, x)`` of any other.
-    u, v
-        ``(t, y, x)`` [m/s]; along the grid's own axes when ``grid_relative``.
-    notes
-        Sentences for the sailor about what was chosen or repaired.
+        ``(y,)`` and ``(x,)`` degrees of a regular grid, or both ``(y, x)`` of any other; longitudes may
+        exceed 180.
+    parts
+        One array for a speed or a height, two for the components of a vector, each ``(t, y, x)``, or
+        ``(m, t, y, x)`` with the members of an ensemble.
+    grid_relative
+        Whether the components follow the grid's own axes instead of east and north.
     """
 
     time: Array
     lat: Array
     lon: Array
-    u: Grid
-    v: Grid
-    source: str
-    issued: datetime | None
+    parts: tuple[Grid, ...]
     grid_relative: bool = False
+
+    @property
+    def step(self) -> float:
+        """Distance of neighbouring latitudes of a regular grid [degrees]; 0 for a single one."""
+        return float(abs(self.lat[-1] - self.lat[0])) / max(self.lat.size - 1, 1)
+
+    def mapped(
+        self,
+        change: Callable[[Grid], Grid],
+        *,
+        time: Array | None = None,
+        lat: Array | None = None,
+        lon: Array | None = None,
+    ) -> RawField:
+        """Change every part alike, and the axes that are given."""
+        return replace(
+            self,
+            parts=tuple(change(part) for part in self.parts),
+            time=self.time if time is None else time,
+            lat=self.lat if lat is None else lat,
+            lon=self.lon if lon is None else lon,
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class RawFile:
+    """What a file holds for a sailor, each layer on the grid it came on.
+
+    Attributes
+    ----------
+    wind, current
+        Vectors [m/s], ``None`` when there are none that can be used.
+    gust, wave
+        Speed of the gusts [m/s] and significant wave height [m].
+    troubles
+        Why a layer is ``None``, by its name, as an unfinished sentence.
+    notes
+        Sentences for the sailor about what was chosen or repaired.
+    """
+
+    source: str
+    issued: datetime | None = None
+    wind: RawField | None = None
+    gust: RawField | None = None
+    wave: RawField | None = None
+    current: RawField | None = None
+    troubles: Mapping[str, str] = field(default_factory=dict)
     notes: tuple[str, ...] = ()
 
 
@@ -70,73 +115,56 @@ def passage_box(places: Sequence[Place], margin_deg: float) -> Box:
     return south, min(lon) - wider, north, max(lon) + wider
 
 
-def to_wind(raw: RawWind, *, around: Sequence[Place] = ()) -> Wind:
-    """Bring a wind as read onto the regular grid of `Wind`: true north, ascending, whole.
+def regular(raw: RawField, box: Box | None = None) -> RawField:
+    """Bring a field to true north on a regular, ascending, evenly spaced grid.
 
     Parameters
     ----------
-    around
-        Ends of a passage: they must be covered, and only what a passage between them may meet is kept
-        and judged for missing values. Without any, all is kept.
+    box
+        What is wanted; a curvilinear grid is only resampled around it. Others are kept whole.
 
     Raises
     ------
     WeatherError
-        ``bad-response``, with an unfinished sentence, when the values cannot be used.
-    NoPassageError
-        ``outside-forecast`` when an end is not covered.
+        ``bad-response``, with an unfinished sentence, when the grid does not reach the box.
     """
-    box = None
-    if around:
-        span = max(abs(around[0][0] - around[-1][0]), abs(around[0][1] - around[-1][1]) / 2)
-        box = passage_box(around, max(MARGIN_DEG, span / 2))
-    if raw.lat.ndim == 2:
-        _require_reach(raw, around)
-    regular = _evened(ascending(_resampled(raw, box) if raw.lat.ndim == 2 else raw))
-    require_cover(raw.source, (regular.lat, regular.lon), around)
-    cropped = _cropped(regular, box)
-    u, v = fill_gaps(cropped.u, cropped.v)
-    valid_from, valid_to, step_h, resolution = describe_grid(cropped.time, cropped.lat, cropped.lon)
-    notes = cropped.notes
-    if cropped.time.size == 1:
-        notes += ("The file holds a single time; its wind is held from then on.",)
-    forecast = Forecast(
-        source=raw.source,
-        issued=raw.issued,
-        valid_from=valid_from,
-        valid_to=valid_to,
-        step_h=step_h,
-        resolution_deg=resolution,
-        notice=" ".join(notes),
-    )
-    return Wind(time=cropped.time, lat=cropped.lat, lon=cropped.lon, u=u, v=v, forecast=forecast)
+    return _evened(ascending(_resampled(raw, box) if raw.lat.ndim == 2 else raw))
 
 
 def bilinear(values: Grid, row: Array, column: Array) -> Grid:
-    """Interpolate ``(t, y, x)`` values at fractional rows and columns; NaN outside the grid."""
-    rows, columns = values.shape[1:]
+    """Interpolate ``(..., y, x)`` values at fractional rows and columns; NaN outside the grid."""
+    rows, columns = values.shape[-2:]
     outside = (row < 0) | (row > rows - 1) | (column < 0) | (column > columns - 1)
     i = np.clip(row.astype(np.int64), 0, max(rows - 2, 0))
     j = np.clip(column.astype(np.int64), 0, max(columns - 2, 0))
     i1, j1 = np.minimum(i + 1, rows - 1), np.minimum(j + 1, columns - 1)
     wi, wj = (row - i).astype(np.float32), (column - j).astype(np.float32)
-    low = values[:, i, j] * (1 - wj) + values[:, i, j1] * wj
-    high = values[:, i1, j] * (1 - wj) + values[:, i1, j1] * wj
+    low = values[..., i, j] * (1 - wj) + values[..., i, j1] * wj
+    high = values[..., i1, j] * (1 - wj) + values[..., i1, j1] * wj
     result = low * (1 - wi) + high * wi
-    result[:, outside] = np.nan
+    result[..., outside] = np.nan
     return np.asarray(result, dtype=np.float32)
 
 
-def onto(raw: RawWind, lat: Array, lon: Array) -> RawWind:
-    """Interpolate a regular, ascending wind onto other axes; NaN where it does not reach."""
-    row = np.interp(lat, raw.lat, np.arange(raw.lat.size), left=-1, right=-1)
-    column = np.interp(lon, raw.lon, np.arange(raw.lon.size), left=-1, right=-1)
-    rows, columns = np.meshgrid(row, column, indexing="ij")
-    u, v = bilinear(raw.u, rows, columns), bilinear(raw.v, rows, columns)
-    return replace(raw, lat=lat, lon=lon, u=u, v=v)
+def onto(raw: RawField, lat: Array, lon: Array) -> RawField:
+    """Interpolate a regular, ascending field onto other axes; NaN where it does not reach.
+
+    An axis of a single value holds everywhere along it.
+    """
+
+    def position(wanted: Array, axis: Array) -> Array:
+        if axis.size == 1:
+            return np.zeros(wanted.shape)
+        # a rounded last digit is no reason to lose an edge
+        near = np.where(np.abs(wanted - axis[0]) < _ROUNDED, axis[0], wanted)
+        near = np.where(np.abs(wanted - axis[-1]) < _ROUNDED, axis[-1], near)
+        return np.interp(near, axis, np.arange(axis.size, dtype=np.float64), left=-1, right=-1)
+
+    rows, columns = np.meshgrid(position(lat, raw.lat), position(lon, raw.lon), indexing="ij")
+    return raw.mapped(lambda part: bilinear(part, rows, columns), lat=lat, lon=lon)
 
 
-def ascending(raw: RawWind) -> RawWind:
+def ascending(raw: RawField) -> RawField:
     """Sort the axes, bring longitudes to -180..180 and close a grid that goes around the world."""
     rows = np.argsort(raw.lat)
     lon = raw.lon
@@ -145,26 +173,32 @@ def ascending(raw: RawWind) -> RawWind:
     columns = np.argsort(lon)
     lon = lon[columns]
     lon = lon - 360.0 * np.floor((lon[0] + 180.0) / 360.0)
-    u, v = raw.u[:, rows][:, :, columns], raw.v[:, rows][:, :, columns]
     step = (lon[-1] - lon[0]) / max(lon.size - 1, 1)
     if lon.size > 2 and abs(lon[-1] + step - lon[0] - 360.0) < step / 2:
         shift = int(np.searchsorted(lon, 180.0))
         lon = np.concatenate([lon[shift:] - 360.0, lon[:shift]])
         lon = np.append(lon, lon[0] + 360.0)
-        u, v = (np.roll(part, -shift, axis=2) for part in (u, v))
-        u, v = (np.concatenate([part, part[:, :, :1]], axis=2) for part in (u, v))
-    return replace(raw, lat=raw.lat[rows], lon=lon, u=u, v=v)
+        columns = np.append(np.roll(columns, -shift), columns[shift % columns.size])
+    down, across = _cut(rows), _cut(columns)
+    return raw.mapped(lambda part: part[..., down, :][..., across], lat=raw.lat[rows], lon=lon)
 
 
-def _cropped(raw: RawWind, box: Box | None) -> RawWind:
+def _cut(index: Index) -> Index | slice:
+    """Give an index as a slice where it is one: turning a grid upside down need not copy all its members."""
+    if index.size > 1 and (np.diff(index) == 1).all():
+        return slice(int(index[0]), int(index[-1]) + 1)
+    if index.size > 1 and (np.diff(index) == -1).all():
+        return slice(int(index[0]), None if index[-1] == 0 else int(index[-1]) - 1, -1)
+    return index
+
+
+def cropped(raw: RawField, box: Box | None) -> RawField:
+    """Keep what encloses a box."""
     if box is None:
         return raw
     south, west, north, east = box
-    rows = _within(raw.lat, south, north)
-    columns = _within(raw.lon, west, east)
-    return replace(
-        raw, lat=raw.lat[rows], lon=raw.lon[columns], u=raw.u[:, rows, columns], v=raw.v[:, rows, columns]
-    )
+    rows, columns = _within(raw.lat, south, north), _within(raw.lon, west, east)
+    return raw.mapped(lambda part: part[..., rows, columns], lat=raw.lat[rows], lon=raw.lon[columns])
 
 
 def _within(axis: Array, low: float, high: float) -> slice:
@@ -176,7 +210,7 @@ def _within(axis: Array, low: float, high: float) -> slice:
     return slice(first, last + 1)
 
 
-def _evened(raw: RawWind) -> RawWind:
+def _evened(raw: RawField) -> RawField:
     """Resample axes that are not evenly spaced, Gaussian latitudes for example."""
 
     def even(axis: Array) -> Array:
@@ -188,13 +222,13 @@ def _evened(raw: RawWind) -> RawWind:
     return raw if lat is raw.lat and lon is raw.lon else onto(raw, lat, lon)
 
 
-def _resampled(raw: RawWind, box: Box | None) -> RawWind:
-    """Bring a curvilinear wind (Lambert, rotated pole) to true north and a regular grid.
+def _resampled(raw: RawField, box: Box | None) -> RawField:
+    """Bring a curvilinear field (Lambert, rotated pole) to true north and a regular grid.
 
     The regular grid has the spacing of the original and is the part of its bounding box that the
     original fills completely, found by dropping the emptiest edge until nothing is missing.
     """
-    u, v = _to_true_north(raw) if raw.grid_relative else (raw.u, raw.v)
+    turned = to_true_north(raw) if raw.grid_relative else raw
     lat, lon = _target_axes(raw, box)
     row, column = _locate(raw.lat, raw.lon, lat, lon)
     inside = (row >= 0) & (row <= raw.lat.shape[0] - 1) & (column >= 0) & (column <= raw.lat.shape[1] - 1)
@@ -202,27 +236,11 @@ def _resampled(raw: RawWind, box: Box | None) -> RawWind:
     if rows.stop - rows.start < 2 or columns.stop - columns.start < 2:
         raise WeatherError("its grid does not reach the area of the passage")
     row, column = row[rows, columns], column[rows, columns]
-    return replace(
-        raw,
-        lat=lat[rows],
-        lon=lon[columns],
-        u=bilinear(u, row, column),
-        v=bilinear(v, row, column),
-        grid_relative=False,
-    )
+    return turned.mapped(lambda part: bilinear(part, row, column), lat=lat[rows], lon=lon[columns])
 
 
-def _require_reach(raw: RawWind, around: Sequence[Place]) -> None:
-    """Check positions against the bounds of a curvilinear grid, before it is cut to their surroundings."""
-    bounds = (
-        np.array([raw.lat.min(), raw.lat.max()]),
-        np.array([raw.lon.min(), raw.lon.max()]),
-    )
-    require_cover(raw.source, bounds, around)
-
-
-def _to_true_north(raw: RawWind) -> tuple[Grid, Grid]:
-    """Turn components along the grid's axes to east and north.
+def to_true_north(raw: RawField) -> RawField:
+    """Turn the components of a curvilinear field from along the grid's axes to east and north.
 
     The angle of the axes is measured on the positions themselves, so that no projection has to be known.
     """
@@ -231,10 +249,11 @@ def _to_true_north(raw: RawWind) -> tuple[Grid, Grid]:
     dlon = np.gradient(np.unwrap(raw.lon, axis=1, period=360.0), axis=1) * np.cos(np.radians(raw.lat))
     length = np.hypot(dlat, dlon)
     cos, sin = (dlon / length).astype(np.float32), (dlat / length).astype(np.float32)
-    return raw.u * cos - raw.v * sin, raw.u * sin + raw.v * cos
+    u, v = raw.parts
+    return replace(raw, parts=(u * cos - v * sin, u * sin + v * cos), grid_relative=False)
 
 
-def _target_axes(raw: RawWind, box: Box | None) -> tuple[Array, Array]:
+def _target_axes(raw: RawField, box: Box | None) -> tuple[Array, Array]:
     along = np.hypot(*(np.diff(part, axis=0) for part in (raw.lat, raw.lon * np.cos(np.radians(raw.lat)))))
     step = float(np.median(along))
     middle = float(np.median(raw.lat))
@@ -246,7 +265,7 @@ def _target_axes(raw: RawWind, box: Box | None) -> tuple[Array, Array]:
         if south >= north or west >= east:
             raise WeatherError("its grid does not reach the area of the passage")
     step_lon = step / np.cos(np.radians(middle))
-    nodes = raw.time.size * (north - south) / step * (east - west) / step_lon
+    nodes = raw.parts[0].size // raw.lat.size * (north - south) / step * (east - west) / step_lon
     coarser = max(1.0, float(np.sqrt(nodes / MAX_VALUES)))
     lat = np.linspace(south, north, max(int((north - south) / step / coarser), 1) + 1)
     lon = np.linspace(west, east, max(int((east - west) / step_lon / coarser), 1) + 1)

@@ -8,16 +8,19 @@ exception carries the request with its headers, and so the key, into every log t
 
 from __future__ import annotations
 
+import contextlib
 import logging
 import os
 import random
 import socket
+import ssl
 import threading
 import time
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from email.utils import parsedate_to_datetime
+from importlib import metadata
 from typing import Final, Generic, TypeVar
 from urllib.parse import urlsplit
 from urllib.request import getproxies, proxy_bypass
@@ -33,7 +36,18 @@ T = TypeVar("T")
 _log = logging.getLogger(__name__)
 
 _CHUNK: Final = 65536
+_POLL_S: Final = 0.05
 _OVERLOADED: Final = frozenset({500, 502, 503, 504})
+
+_CERTIFICATE: Final = {
+    10: "its certificate has expired",
+    18: "its certificate is self-signed",
+    19: "its certificate is signed by nobody this computer trusts",
+    20: "its certificate is signed by nobody this computer trusts",
+    62: "its certificate is for another name",
+    64: "its certificate is for another address",
+}
+"""What OpenSSL's verification codes mean to a sailor (``X509_V_ERR_...`` in ``x509_vfy.h``)."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,12 +81,20 @@ class Limits:
 
 @dataclass(frozen=True, slots=True)
 class Reply:
-    """What came back: enough to judge it, nothing of what was sent."""
+    """What came back: enough to judge it, nothing of what was sent.
+
+    Attributes
+    ----------
+    expires, last_modified
+        Headers of these names as they came, or empty.
+    """
 
     status: int
     content_type: str
     retry_after: str
     body: bytes
+    expires: str = ""
+    last_modified: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,7 +108,11 @@ class Call(Generic[T]):
     decode
         Makes the answer of a body; a `msgspec.DecodeError` from it counts as a body that was cut off.
     refuse
-        The error that a reply other than 200 means, or ``None`` for those that mean the same everywhere.
+        The error that a reply of another status means, or ``None`` for those that mean the same everywhere.
+    good
+        Statuses whose reply is an answer.
+    note
+        Told of each reply that is an answer, before its body is decoded: for status and headers.
     """
 
     service: str
@@ -95,6 +121,8 @@ class Call(Generic[T]):
     headers: Mapping[str, str]
     decode: Callable[[bytes], T]
     refuse: Callable[[Reply], WeatherError | None]
+    good: frozenset[int] = field(default=frozenset({200}))
+    note: Callable[[Reply], None] | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -106,6 +134,15 @@ class _Failure:
     wait_s: float = 0.0
 
 
+def program_name() -> str:
+    """Name this program and its version, for services that want to know who asks."""
+    try:
+        return f"SeaCruise/{metadata.version('seacruise')}"
+    except metadata.PackageNotFoundError:
+        # run from a checkout that was never installed
+        return "SeaCruise/0"
+
+
 def new_session() -> requests.Session:
     """Make a session that takes proxies and certificates from the environment, and nothing else."""
     session = requests.Session()
@@ -113,9 +150,48 @@ def new_session() -> requests.Session:
     session.trust_env = False
     session.verify = os.environ.get("REQUESTS_CA_BUNDLE") or os.environ.get("SSL_CERT_FILE") or True
     session.headers.update(
-        {"Accept": "application/json", "Accept-Encoding": "gzip", "User-Agent": "SeaCruise"}
+        {
+            "Accept": "application/json",
+            "Accept-Encoding": "gzip",
+            "User-Agent": program_name(),
+        }
     )
     return session
+
+
+def require_name(service: str, url: str, seconds: float, *, check: Callable[[], None] = lambda: None) -> None:
+    """Look up the name of a service's computer, for a limited time.
+
+    The system's own look-up cannot be given a deadline, and on a network that leads nowhere (a harbour's
+    before one has signed in) it takes half a minute for each request.
+
+    Parameters
+    ----------
+    check
+        Called every now and then; what it raises ends the waiting.
+
+    Raises
+    ------
+    WeatherError
+        ``no-network`` when the name is not found within ``seconds``.
+    """
+    host = urlsplit(url).hostname
+    if not host or _proxies(url):
+        return
+    answered = threading.Event()
+
+    def look_up() -> None:
+        # a name that does not exist is an answer too; the request itself then says so
+        with contextlib.suppress(OSError, UnicodeError):
+            socket.getaddrinfo(host, None)
+        answered.set()
+
+    threading.Thread(target=look_up, name="weather-name", daemon=True).start()
+    end = time.monotonic() + seconds
+    while not answered.wait(_POLL_S):
+        check()
+        if time.monotonic() > end:
+            raise unreachable(service)
 
 
 def fetch(session: requests.Session, call: Call[T], limits: Limits, stop: threading.Event) -> T:
@@ -169,8 +245,10 @@ def _attempt(session: requests.Session, call: Call[T], limits: Limits, deadline:
                 content_type=response.headers.get("Content-Type", "").split(";")[0].strip().lower(),
                 retry_after=response.headers.get("Retry-After", "").strip(),
                 body=body if isinstance(body, bytes) else b"",
+                expires=response.headers.get("Expires", "").strip(),
+                last_modified=response.headers.get("Last-Modified", "").strip(),
             )
-        if reply.status == 200 and not isinstance(body, bytes):
+        if reply.status in call.good and not isinstance(body, bytes):
             return body if body is not None else _Failure(timed_out(call.service, limits.total_s))
     except (requests.RequestException, urllib3.exceptions.HTTPError, OSError, ValueError) as error:
         return _transport_failure(call, error, limits)
@@ -196,12 +274,12 @@ def _read(response: requests.Response, limits: Limits, deadline: float) -> bytes
 
 def _judge(call: Call[T], reply: Reply, limits: Limits) -> T | _Failure:
     """Decide what a complete reply means."""
-    if reply.status != 200:
+    if reply.status not in call.good:
         error = call.refuse(reply)
         if error is not None:
             return _Failure(error)
         return _status_failure(call.service, reply, limits)
-    if reply.content_type and "json" not in reply.content_type:
+    if reply.body and reply.content_type and "json" not in reply.content_type:
         return _Failure(
             WeatherError(
                 f"Something else answered in place of {call.service} (a page, not data): a hotel or harbour "
@@ -209,6 +287,8 @@ def _judge(call: Call[T], reply: Reply, limits: Limits) -> T | _Failure:
             )
         )
     try:
+        if call.note is not None:
+            call.note(reply)
         return call.decode(reply.body)
     except msgspec.ValidationError as error:
         # the message names the place in the document and the kind of value, not the value
@@ -280,8 +360,8 @@ def _transport_failure(call: Call[T], error: Exception, limits: Limits) -> _Fail
     if any(isinstance(cause, requests.exceptions.SSLError) for cause in causes):
         return _Failure(
             WeatherError(
-                f"{service} could not prove who it is (TLS certificate), so nothing was sent; check this "
-                "computer's date, or use another network."
+                f"{service} could not prove who it is ({_certificate_fault(causes)}), so nothing was sent; "
+                "check this computer's date, or use another network."
             )
         )
     if isinstance(error, requests.exceptions.ProxyError):
@@ -291,12 +371,10 @@ def _transport_failure(call: Call[T], error: Exception, limits: Limits) -> _Fail
     # before timeouts, for urllib3 makes a refused connection a kind of timeout
     lost = (socket.gaierror, ConnectionRefusedError, urllib3.exceptions.NewConnectionError)
     if any(isinstance(cause, lost) for cause in causes):
-        return _Failure(
-            WeatherError(
-                f"{service} cannot be reached; check the internet connection, or plan with practice weather.",
-                reason="no-network",
-            )
-        )
+        return _Failure(unreachable(service))
+    if isinstance(error, requests.exceptions.ConnectTimeout):
+        # whoever does not even pick up will not do so a second later
+        return _Failure(timed_out(service, limits.connect_s))
     timeouts = (requests.exceptions.Timeout, urllib3.exceptions.TimeoutError, TimeoutError)
     if any(isinstance(cause, timeouts) for cause in causes):
         return _Failure(timed_out(service, limits.total_s), again=True)
@@ -322,6 +400,19 @@ def _causes(error: BaseException) -> list[BaseException]:
             found.append(one)
             waiting += [one.__cause__, one.__context__, getattr(one, "reason", None), *one.args]
     return found
+
+
+def _certificate_fault(causes: Sequence[BaseException]) -> str:
+    codes = [cause.verify_code for cause in causes if isinstance(cause, ssl.SSLCertVerificationError)]
+    return _CERTIFICATE.get(codes[0], "its certificate is not valid") if codes else "no safe TLS connection"
+
+
+def unreachable(service: str) -> WeatherError:
+    """Make the error of a service that no connection leads to."""
+    return WeatherError(
+        f"{service} cannot be reached; check the internet connection, or plan with practice weather.",
+        reason="no-network",
+    )
 
 
 def timed_out(service: str, seconds: float) -> WeatherError:

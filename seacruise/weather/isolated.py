@@ -11,20 +11,26 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Final
 
 from seacruise.errors import InputError, SeaCruiseError
 from seacruise.progress import Job
-from seacruise.weather.files import read_wind_file
+from seacruise.weather.files import read_current_file, read_wind_file
 from seacruise.weather.grids import Place
-from seacruise.weather.wind import Wind
+from seacruise.weather.wind import Current, Wind
 
 PATIENCE_S: Final = 300.0
 """Longest time that a file may take [s]."""
 
 _POLL_S: Final = 0.02
+
+
+_READERS: Final[dict[str, Callable[..., Wind | Current]]] = {
+    "wind": read_wind_file,
+    "current": read_current_file,
+}
 
 
 def read_isolated(path: Path, *, around: Sequence[Place] = (), job: Job) -> Wind:
@@ -36,13 +42,33 @@ def read_isolated(path: Path, *, around: Sequence[Place] = (), job: Job) -> Wind
         As `read_wind_file`; and when the file made its reader crash or took longer than `PATIENCE_S`.
     CancelledError
     """
+    found = _read("wind", path, around, job)
+    assert isinstance(found, Wind)
+    return found
+
+
+def read_current_isolated(path: Path, *, around: Sequence[Place] = (), job: Job) -> Current:
+    """Read a file as `read_current_file` does, safe from what it may do to the libraries that read it.
+
+    Raises
+    ------
+    InputError
+        As `read_current_file`; and when the file made its reader crash or took longer than `PATIENCE_S`.
+    CancelledError
+    """
+    found = _read("current", path, around, job)
+    assert isinstance(found, Current)
+    return found
+
+
+def _read(what: str, path: Path, around: Sequence[Place], job: Job) -> Wind | Current:
     if getattr(sys, "frozen", False):
         # A bundled program has no interpreter to start a child with.
-        return read_wind_file(path, around=around)
+        return _READERS[what](path, around=around)
     with tempfile.TemporaryDirectory(prefix="seacruise-") as folder:
         answer = Path(folder) / "answer.pickle"
         question = Path(folder) / "question.pickle"
-        question.write_bytes(pickle.dumps((Path(path), tuple(around))))
+        question.write_bytes(pickle.dumps((what, Path(path), tuple(around))))
         command = [sys.executable, "-m", "seacruise.weather.isolated", str(question), str(answer)]
         with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as child:
             try:
@@ -57,7 +83,7 @@ def read_isolated(path: Path, *, around: Sequence[Place] = (), job: Job) -> Wind
         found = pickle.loads(answer.read_bytes())  # noqa: S301 - our own child wrote it
     if isinstance(found, SeaCruiseError):
         raise found
-    assert isinstance(found, Wind)
+    assert isinstance(found, Wind | Current)
     return found
 
 
@@ -74,11 +100,11 @@ def _wait(child: subprocess.Popen[bytes], path: Path, job: Job) -> None:
 
 
 def main(question: str, answer: str) -> None:
-    """Answer a question in the child: a `Wind`, or the error that says why there is none."""
-    path, around = pickle.loads(Path(question).read_bytes())  # noqa: S301 - our own parent wrote it
-    found: Wind | SeaCruiseError
+    """Answer a question in the child: what was read, or the error that says why there is nothing."""
+    what, path, around = pickle.loads(Path(question).read_bytes())  # noqa: S301 - our own parent wrote it
+    found: Wind | Current | SeaCruiseError
     try:
-        found = read_wind_file(path, around=around)
+        found = _READERS[what](path, around=around)
     except SeaCruiseError as error:
         found = error
     # Renamed when whole: a child that dies while writing has given no answer.

@@ -86,6 +86,7 @@ def practice_wind(now: datetime, *, seed: int | None = None) -> Wind:
         step_h=step_h,
         resolution_deg=resolution,
         notice=NOTICE,
+        real=False,
     )
     return Wind(time=time, lat=lat, lon=lon, u=u, v=v, forecast=forecast)
 

@@ -38,5 +38,6 @@ def sample_wind() -> Wind:
         step_h=step_h,
         resolution_deg=resolution,
         notice=NOTICE,
+        real=False,
     )
     return Wind(time=time, lat=lat, lon=lon, u=u, v=v, forecast=forecast)

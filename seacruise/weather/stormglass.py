@@ -1,39 +1,56 @@
 """Wind from Storm Glass: few requests, counted, cached, and each of them bounded.
 
 The service answers for one place at a time and the free plan allows ten answers a day, each of ten days'
-hours. So a coarse regular grid over the passage is asked, only at sea, and the rest filled in between.
+hours. So a few places along the passage are asked, then those where their answers leave most in doubt
+(`seacruise.weather.adaptive`), and the rest is filled in between.
 """
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable, Sequence
+import contextlib
+import re
+import time
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from datetime import UTC, datetime, timedelta
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
-from seacruise.errors import NoPassageError, WeatherError
+from seacruise.errors import InputError, NoPassageError, WeatherError
 from seacruise.progress import Job
 from seacruise.settings import Settings
 from seacruise.weather.answers import Meta
-from seacruise.weather.cache import CachedAnswer, Memory, PointAnswer, Quota
-from seacruise.weather.grids import Box
-from seacruise.weather.http import Limits, timed_out
-from seacruise.weather.points import IsWater, PointPlan, plan_points, spread
-from seacruise.weather.pool import Outcome, run_all
-from seacruise.weather.stormglass_client import PARAMS, SERVICE, Client, check_key, quota_error
-from seacruise.weather.wind import Forecast, Wind, describe_grid, from_direction
+from seacruise.weather.cache import CachedAnswer, Found, Memory, Quota, place_id
+from seacruise.weather.grids import Box, Place
+from seacruise.weather.ground import Ground, survey
+from seacruise.weather.http import Limits, require_name, timed_out
+from seacruise.weather.hunt import ROUGHLY_NM, Hunt
+from seacruise.weather.mosaic import common_hours, to_wind
+from seacruise.weather.point import PointAnswer
+from seacruise.weather.points import IsWater
+from seacruise.weather.pool import Gate, Outcome, gate_to, run_all
+from seacruise.weather.splice import describe_splices
+from seacruise.weather.stormglass_client import SERVICE, Client, check_key, quota_error
+from seacruise.weather.wind import Forecast, Wind, describe_grid
 
 HORIZON: Final = timedelta(days=10)
-"""How far the service's default model looks ahead."""
+"""How far ahead is asked: the service's own default. How far an answer reaches, it says itself."""
 
-Array = NDArray[np.float64]
-OnDone = Callable[[int, int, Outcome[PointAnswer]], bool]
+FRESH_S: Final = 6 * 3600.0
+"""Time after which most sources have a newer run [s]."""
+
+UPDATE_CYCLES_S: Final = {"metno": 4 * 3600.0}
+"""Of those with another cycle, by the service's own list of sources [s]."""
+
+OLD_S: Final = 24 * 3600.0
+"""Up to this age a whole forecast is better than a few new answers [s]."""
+
+_EARLY_S: Final = 24 * 3600.0
+"""An answer that ends earlier than this before the others' would cut them short [s]."""
 
 _STOPPING: Final = frozenset({"quota", "bad-key"})
+_UNREACHED: Final = frozenset({"no-network", "timeout"})
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,17 +60,20 @@ class StormGlassConfig:
     Attributes
     ----------
     source
-        Preferred model; ``"sg"`` is the service's own choice of the best one per place.
+        Wanted model; ``"sg"`` is the service's own choice of the best one per place. The vectors of
+        several, joined by ``+``, are averaged.
     parallel
-        Requests under way at a time.
+        Requests under way at a time, of all plans of this process together.
     batch_s
-        Deadline of all requests together [s]; that of each one is in ``limits``.
-    fresh_s
-        Age up to which a cached answer is as good as a new one [s]: the models run every six hours.
+        Deadline of all requests of a plan together [s]; that of each one is in ``limits``.
+    quiet_s
+        How long nothing may come from the service before it is given up [s].
     reserve
         Requests of a day that are left alone, for a look at the forecast elsewhere.
     max_points
-        Requests for one passage at most, however large the plan.
+        Places for one passage at most, however large the plan of the service.
+    first
+        Places that are asked first, before the answers tell where to go on.
     enough
         Share of the places that must have an answer for the wind to be used.
     """
@@ -61,29 +81,48 @@ class StormGlassConfig:
     source: str = "sg"
     parallel: int = 5
     batch_s: float = 120.0
-    fresh_s: float = 6 * 3600.0
+    quiet_s: float = 30.0
     reserve: int = 1
     max_points: int = 40
+    first: int = 6
     enough: float = 0.5
     limits: Limits = field(default_factory=Limits)
 
-
-@dataclass(frozen=True, slots=True, eq=False)
-class _Gathered:
-    """Answers for the places of a plan: those at hand, and the older ones for when nothing better comes."""
-
-    plan: PointPlan
-    fresh: dict[int, CachedAnswer]
-    stale: dict[int, CachedAnswer]
-
     @property
-    def missing(self) -> list[int]:
-        """Places without a fresh answer."""
-        return [index for index in range(self.plan.rows.size) if index not in self.fresh]
+    def cycle_s(self) -> float:
+        """Time after which an answer is no longer as good as a new one [s]."""
+        return min(UPDATE_CYCLES_S.get(name, FRESH_S) for name in self.source.split("+"))
+
+    def places(self, quota: Quota) -> int:
+        """Count the places of a plan at most: by the size of a day's quota, not by what is left of it.
+
+        So a later plan of the same passage is for the same places, and finds them in the cache.
+        """
+        return max(min(quota.daily - self.reserve, self.max_points), 1)
+
+
+def config_named(name: str) -> StormGlassConfig:
+    """Make the configuration that a forecast's name asks for.
+
+    ``stormglass`` is the service's own choice, ``stormglass:noaa`` one model, and of
+    ``stormglass:ecmwf+noaa`` the vectors are averaged.
+
+    Raises
+    ------
+    InputError
+        When what follows the colon is no name of a model.
+    """
+    _, colon, models = name.partition(":")
+    if colon and not re.fullmatch(r"[a-z0-9:_.-]{1,24}(\+[a-z0-9:_.-]{1,24}){0,7}", models.lower()):
+        raise InputError(
+            f"{name!r} names no model of Storm Glass; write stormglass, stormglass:noaa, or "
+            "stormglass:ecmwf+noaa for the mean of several."
+        )
+    return StormGlassConfig(source=models.lower()) if colon else StormGlassConfig()
 
 
 def horizon_of(now: datetime) -> tuple[datetime, datetime]:
-    """First and last time that Storm Glass answers for: today 00:00 UTC and ten days on."""
+    """First and last time that Storm Glass is asked for: today 00:00 UTC and ten days on."""
     today = now.astimezone(UTC).replace(hour=0, minute=0, second=0, microsecond=0)
     return today, today + HORIZON
 
@@ -108,7 +147,7 @@ class StormGlass:
         self._settings = settings
         self._key = check_key(settings)
         self._memory = Memory(settings.database)
-        self._service = f"stormglass {PARAMS} {self.config.source}"
+        self._gate = gate_to(settings.stormglass_url, self.config.parallel)
 
     def quota(self, now: datetime) -> Quota:
         """Look up the requests of today, as far as the ledger knows."""
@@ -122,6 +161,7 @@ class StormGlass:
         now: datetime,
         job: Job,
         is_water: IsWater | None = None,
+        ends: tuple[Place, Place] | None = None,
     ) -> Wind:
         """Get the wind over an area, from today to the end of the forecast.
 
@@ -131,6 +171,8 @@ class StormGlass:
             South, west, north, east [degrees].
         departure
             Checked before anything is sent, so that no request is spent on a day without a forecast.
+        ends
+            Start and end of the passage, which the places asked then lie around.
 
         Raises
         ------
@@ -147,119 +189,93 @@ class StormGlass:
                 "them, or another forecast.",
                 reason="outside-forecast",
             )
-        gathered = self._plan(box, now, is_water)
-        error = self._fetch_missing(gathered, now, job)
+        needed = (departure or now).timestamp()
+        quota = self.quota(now)
+        aim = max(self.config.places(quota), 1 if ends is None else 2)
+        ground = survey(box, ends=ends, is_water=is_water, first=min(self.config.first, aim))
+        hunt = Hunt(
+            ground,
+            # which places are asked does not depend on the departure, so that another one needs no request
+            kept=self._kept(ground, needed),
+            read=self._memory.read,
+            now=now.timestamp(),
+            needed=needed,
+            fresh_s=self.config.cycle_s,
+            aim=aim,
+            left=quota.left,
+            at_once=max(self.config.parallel, aim // 4),
+            enough=self.config.enough,
+        )
+        error = self._fetch(hunt, now, quota, job)
         if self._memory.trouble:
             job.report("wind", None, f"Forecasts are not kept. {self._memory.trouble}")
-        return self._assemble(gathered, now, error, departure or now)
+        return self._assemble(hunt, error)
 
-    def _plan(self, box: Box, now: datetime, is_water: IsWater | None) -> _Gathered:
-        """Find the finest grid whose missing answers today's requests can buy.
+    def _kept(self, ground: Ground, needed: float) -> dict[str, Found]:
+        """Answers in the cache for places on the ground that reach a time, by the name of the place."""
+        # answers for other passages beside this one are better than none
+        box = (
+            float(ground.lat[0] - 1.0),
+            float(ground.lon[0] - 1.0),
+            float(ground.lat[-1] + 1.0),
+            float(ground.lon[-1] + 1.0),
+        )
+        kept: dict[str, Found] = {}
+        # earlier versions asked for the wind alone, which is still a forecast
+        earlier = f"stormglass gust,windDirection,windSpeed {self.config.source}"
+        for service in (earlier, service_of(self.config.source)):
+            for one in self._memory.around(box, service, needed):
+                place = place_id(one.lat, one.lon)
+                if place not in kept or kept[place].fetched <= one.fetched:
+                    kept[place] = one
+        return kept
 
-        The size of the day's quota, and not what is left of it, is tried first, so that a second plan of
-        the same passage asks for the same places and finds them in the cache. A grid that has enough of
-        them is kept, whatever else could be bought.
-        """
-        quota = self.quota(now)
-        most = min(max(quota.daily - self.config.reserve, 1), self.config.max_points)
-        widest: _Gathered | None = None
-        while most >= 1:
-            tried = self._gather(plan_points(box, most=most, is_water=is_water), now)
-            widest = widest or tried
-            if len(tried.missing) <= self._budget(quota) or self._is_enough(len(tried.fresh), tried):
-                return tried
-            most = min(most, tried.plan.rows.size) - 1
-        # nothing can be bought; the widest plan is the one that old answers may be there for
-        assert widest is not None
-        return widest
-
-    def _budget(self, quota: Quota) -> int:
-        return max(quota.left - self.config.reserve, 0)
-
-    def _is_enough(self, answers: int, gathered: _Gathered) -> bool:
-        return answers >= max(1, math.ceil(self.config.enough * gathered.plan.rows.size))
-
-    def _gather(self, plan: PointPlan, now: datetime) -> _Gathered:
-        gathered = _Gathered(plan=plan, fresh={}, stale={})
-        for index, (lat, lon) in enumerate(plan.places):
-            cached = self._memory.recall(lat, lon, self._service)
-            if cached is not None:
-                # an answer from the future is a clock that was set back, and as good as new
-                is_fresh = now.timestamp() - cached.fetched < self.config.fresh_s
-                (gathered.fresh if is_fresh else gathered.stale)[index] = cached
-        return gathered
-
-    def _fetch_missing(self, gathered: _Gathered, now: datetime, job: Job) -> WeatherError | None:
-        """Ask for the places without a fresh answer; returns why some still have none."""
-        quota = self.quota(now)
-        asked = gathered.missing[: self._budget(quota)]
-        if not gathered.missing:
+    def _fetch(self, hunt: Hunt, now: datetime, quota: Quota, job: Job) -> WeatherError | None:
+        """Ask for the places that the plan wants; returns why some have no answer."""
+        wanted = hunt.wanted()
+        if hunt.is_short and self._old_will_do(hunt):
+            return quota_error(quota.left)
+        if len(wanted) < (2 if hunt.ground.ends and not hunt.answers else 1):
+            if not hunt.suffices(hunt.answered()):
+                return quota_error(quota.left)
             job.report("wind", 1.0, f"Storm Glass: no request needed, {quota.left} left today")
             return None
-        if not asked:
-            return quota_error(quota.left)
-        left = f"{quota.left} left today" if quota.known else f"{quota.daily} a day on this plan"
-        job.report("wind", 0.0, f"Storm Glass: {len(asked)} request{'s' * (len(asked) > 1)}, {left}")
-        errors: list[WeatherError] = []
-
-        def on_done(done: int, position: int, outcome: Outcome[PointAnswer]) -> bool:
-            job.report("wind", done / len(asked), f"wind {done} of {len(asked)}")
-            if outcome.value is not None:
-                gathered.fresh[asked[position]] = CachedAnswer(outcome.value, fetched=now.timestamp())
-                self._memory.keep(self._service, gathered.fresh[asked[position]])
-            elif outcome.error is not None:
-                errors.append(outcome.error)
-            return outcome.error is None or outcome.error.reason not in _STOPPING
-
-        self._ask_all([gathered.plan.places[index] for index in asked], now, job, on_done)
-        # a spent quota or a wrong key explains the others that failed with it
-        return next((error for error in errors if error.reason in _STOPPING), errors[0] if errors else None)
-
-    def _ask_all(
-        self, places: Sequence[tuple[float, float]], now: datetime, job: Job, on_done: OnDone
-    ) -> None:
-        config = self.config
-        begin, end = horizon_of(now)
-        window = begin.timestamp(), end.timestamp()
-
-        def count(meta: Meta) -> None:
-            self._memory.note_request(self._key, now, used=meta.used, daily=meta.daily, spent=meta.spent)
-
-        client = Client(self._settings, config.limits, count)
+        total = min(hunt.at_most(), quota.left)
+        job.report("wind", 0.0, _announce(hunt.at_most(), total, len(wanted), quota))
+        rounds = _Rounds(hunt, self._settings, self.config, self._memory, now=now, job=job, total=total)
         try:
-            run_all(
-                places,
-                lambda place, stop: client.ask(place, window, source=config.source, stop=stop),
-                job=job,
-                parallel=config.parallel,
-                each_s=config.limits.total_s,
-                batch_s=config.batch_s,
-                on_done=on_done,
-                late=lambda: timed_out(SERVICE, config.limits.total_s),
-            )
+            # an address that is none is named by the request itself
+            with contextlib.suppress(ValueError):
+                require_name(SERVICE, self._settings.stormglass_url, self.config.limits.connect_s)
+            while wanted and not rounds.is_over:
+                rounds.ask(wanted, self._gate)
+                wanted = hunt.wanted()
+        except WeatherError as error:
+            return error
         finally:
-            client.close()
+            rounds.client.close()
+        # a spent quota or a wrong key explains the others that failed with it
+        return next(
+            (error for error in rounds.errors if error.reason in _STOPPING), next(iter(rounds.errors), None)
+        )
 
-    def _assemble(
-        self, gathered: _Gathered, now: datetime, error: WeatherError | None, needed: datetime
-    ) -> Wind:
-        """Make the grid of the answers there are; old ones only where nothing better came."""
-        old = {
-            index: cached
-            for index, cached in gathered.stale.items()
-            if index not in gathered.fresh and cached.answer.time[-1] > needed.timestamp()
-        }
-        answers = {**old, **gathered.fresh}
-        if not self._is_enough(len(answers), gathered):
-            raise error or quota_error()
-        plan, indices = gathered.plan, sorted(answers)
-        points = [answers[index].answer for index in indices]
-        answered = np.zeros(plan.rows.size, dtype=np.bool_)
-        answered[indices] = True
-        time, u, v = _on_common_hours(points)
-        oldest = min(cached.fetched for cached in answers.values())
-        age_h = (now.timestamp() - oldest) / 3600.0 if old else 0.0
-        valid_from, valid_to, step_h, resolution = describe_grid(time, plan.lat, plan.lon)
+    def _old_will_do(self, hunt: Hunt) -> bool:
+        """Tell whether answers of the last day cover what the few requests left would only begin."""
+        kept = [(one.lat, one.lon) for one in hunt.kept.values() if hunt.now - one.fetched < OLD_S]
+        return hunt.suffices(kept) and not hunt.suffices(hunt.answered())
+
+    def _assemble(self, hunt: Hunt, error: WeatherError | None) -> Wind:
+        """Make the grid of the answers there are; old ones only where the new ones do not suffice."""
+        used = [hunt.answers[one] for one in sorted(hunt.answers)]
+        if not hunt.suffices(hunt.answered()):
+            used += hunt.others()
+            if not _will_do(hunt, used, error):
+                raise error or quota_error()
+        used = _lasting(hunt, used)
+        points = [cached.answer for cached in used]
+        times = common_hours(points)
+        oldest = min(cached.fetched for cached in used)
+        valid_from, valid_to, step_h, resolution = describe_grid(times, hunt.ground.lat, hunt.ground.lon)
         forecast = Forecast(
             source=f"{SERVICE} ({self.config.source})",
             issued=datetime.fromtimestamp(oldest, UTC),
@@ -267,36 +283,139 @@ class StormGlass:
             valid_to=valid_to,
             step_h=step_h,
             resolution_deg=resolution,
-            notice=_notice(points, plan.rows.size, error, age_h),
+            notice=_notice(hunt, used, error),
         )
-        grid_u, grid_v = (spread(plan, answered, part).astype(np.float32) for part in (u, v))
-        return Wind(time=time, lat=plan.lat, lon=plan.lon, u=grid_u, v=grid_v, forecast=forecast)
+        return to_wind(hunt.ground, points, times, forecast)
 
 
-def _on_common_hours(points: Sequence[PointAnswer]) -> tuple[Array, Array, Array]:
-    """Components ``(t, n)`` of all points at the hours that any of them has, while all of them last."""
-    first = max(point.time[0] for point in points)
-    last = min(point.time[-1] for point in points)
-    time = np.unique(np.concatenate([np.asarray(point.time, dtype=np.float64) for point in points]))
-    time = time[(time >= first) & (time <= last)]
-    if time.size < 2:
-        raise WeatherError("The answers of Storm Glass for this passage have no hours in common; try again.")
-    u, v = np.empty((time.size, len(points))), np.empty((time.size, len(points)))
-    for column, point in enumerate(points):
-        east, north = from_direction(point.speed, point.direction)
-        u[:, column] = np.interp(time, point.time, east)
-        v[:, column] = np.interp(time, point.time, north)
-    return time, u, v
+class _Rounds:
+    """The requests of one plan, round by round.
+
+    Attributes
+    ----------
+    errors
+        Why places have no answer, in the order of events.
+    is_over
+        Nothing more is to be had: the quota is spent, the key is wrong, or the service cannot be reached.
+    """
+
+    def __init__(
+        self,
+        hunt: Hunt,
+        settings: Settings,
+        config: StormGlassConfig,
+        memory: Memory,
+        *,
+        now: datetime,
+        job: Job,
+        total: int,
+    ) -> None:
+        self.errors: list[WeatherError] = []
+        self.is_over = False
+        self._hunt, self._config, self._memory, self._job = hunt, config, memory, job
+        self._now, self._total = now, total
+        self._key = check_key(settings)
+        self._begin = time.monotonic()
+        self._done = 0
+        self.client = Client(settings, config.limits, self._count)
+
+    def ask(self, wanted: Sequence[int], gate: Gate) -> None:
+        """Ask for places and note what comes."""
+        hunt, config = self._hunt, self._config
+        hunt.left -= len(wanted)
+        begin, end = horizon_of(self._now)
+        window = begin.timestamp(), end.timestamp()
+        places = [(float(lat), float(lon)) for lat, lon in hunt.ground.places[list(wanted)]]
+        run_all(
+            places,
+            lambda place, stop: self.client.ask(place, window, source=config.source, stop=stop),
+            job=self._job,
+            parallel=config.parallel,
+            each_s=config.limits.total_s,
+            batch_s=config.batch_s - (time.monotonic() - self._begin),
+            on_done=lambda _, position, outcome: self._note(wanted[position], outcome),
+            late=lambda: timed_out(SERVICE, config.limits.total_s),
+            quiet_s=config.quiet_s,
+            gate=gate,
+        )
+
+    def _note(self, place: int, outcome: Outcome[PointAnswer]) -> bool:
+        self._done += 1
+        self._job.report("wind", self._done / self._total, f"wind {self._done} of {self._total}")
+        now, cycle = self._now.timestamp(), self._config.cycle_s
+        if outcome.value is not None:
+            # the service does not tell its run; an answer counts as of the cycle it was given in
+            cached = CachedAnswer(outcome.value, fetched=now, expires=now + cycle, run=now // cycle * cycle)
+            self._hunt.answers[place] = cached
+            self._memory.keep(service_of(self._config.source), cached)
+        elif outcome.error is not None:
+            self._hunt.failed.add(place)
+            self.errors.append(outcome.error)
+            is_silent = outcome.error.reason in _UNREACHED and not self._done > len(self.errors)
+            self.is_over |= outcome.error.reason in _STOPPING or is_silent
+        return not self.is_over
+
+    def _count(self, meta: Meta) -> None:
+        # a plan may last beyond midnight
+        now = self._now + timedelta(seconds=time.monotonic() - self._begin)
+        counts = {"used": meta.used, "daily": meta.daily, "cost": meta.cost, "spent": meta.spent}
+        self._memory.note_request(self._key, now, **counts)
 
 
-def _notice(points: Sequence[PointAnswer], total: int, error: WeatherError | None, age_h: float) -> str:
+def _announce(most: int, total: int, at_once: int, quota: Quota) -> str:
+    """Say how many requests follow, and how many are left before them."""
+    number = f"{'up to ' * (total > at_once)}{total} request{'s' * (total > 1)}"
+    left = f"{quota.left} left today" if quota.known else f"{quota.daily} a day on this plan"
+    shrunk = f"; {most} were planned" if total < most else ""
+    return f"Storm Glass: {number}, {left}{shrunk}"
+
+
+def _places(answers: Sequence[CachedAnswer]) -> list[tuple[float, float]]:
+    return [(one.answer.lat, one.answer.lon) for one in answers]
+
+
+def _will_do(hunt: Hunt, used: Sequence[CachedAnswer], error: WeatherError | None) -> bool:
+    """Tell whether answers cover the passage, or nearly do and nothing better is to be had today."""
+    if hunt.suffices(_places(used)):
+        return True
+    is_hopeless = error is None or error.reason in {"quota", *_UNREACHED}
+    return is_hopeless and len(used) > len(hunt.answers) and hunt.gap_nm(_places(used)) <= ROUGHLY_NM
+
+
+def _lasting(hunt: Hunt, used: list[CachedAnswer]) -> list[CachedAnswer]:
+    """Leave out answers that end long before the others, which would end with them, if the rest suffices."""
+    usual = float(np.median([cached.answer.time[-1] for cached in used]))
+    lasting = [cached for cached in used if cached.answer.time[-1] > usual - _EARLY_S]
+    return lasting if hunt.suffices(_places(lasting)) else used
+
+
+def _notice(hunt: Hunt, used: Sequence[CachedAnswer], error: WeatherError | None) -> str:
     """Say with the wind what is not as it should be: old, incomplete, from another model."""
     parts = []
-    if age_h > 0:
-        parts.append(f"The wind is from an answer {age_h:.0f} h old.")
-    if len(points) < total:
-        parts.append(f"{len(points)} of {total} places have an answer; the wind between them is filled in.")
+    tried = len(hunt.tried())
+    oldest = min(cached.fetched for cached in used)
+    if not all(hunt.is_fresh(cached) for cached in used):
+        unreached = error is not None and error.reason in _UNREACHED
+        why = "; the service could not be reached" if unreached else ""
+        parts.append(f"The wind is from {SERVICE}, {(hunt.now - oldest) / 3600.0:.0f} h old{why}.")
+    elif len(used) < tried:
+        parts.append(f"{len(used)} of {tried} places have an answer; the wind between them is filled in.")
+    if not hunt.suffices(_places(used)):
+        gap = hunt.gap_nm(_places(used))
+        parts.append(
+            f"Its answers were asked for another passage and lie up to {gap:.0f} nm away from this one."
+        )
+    if hunt.is_short and error is None:
+        parts.append(
+            f"Only {tried} of {hunt.aim} planned places were asked: no more requests were left today."
+        )
     if error is not None:
         parts.append(str(error))
-    parts += dict.fromkeys(note for point in points for note in point.notes)
+    parts += dict.fromkeys(note for cached in used for note in cached.answer.notes)
+    parts += describe_splices(SERVICE, (one for cached in used for one in cached.answer.splices))
     return " ".join(parts)
+
+
+def service_of(source: str) -> str:
+    """Name under which answers are kept in the cache."""
+    return f"stormglass {source}"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import threading
+import weakref
 from collections.abc import Callable
 from typing import Final
 
@@ -13,11 +14,11 @@ import requests
 from seacruise.errors import WeatherError
 from seacruise.settings import Settings
 from seacruise.weather.answers import Meta, decode_answer, decode_meta, to_point
-from seacruise.weather.cache import PointAnswer
 from seacruise.weather.http import Call, Limits, Reply, fetch, new_session
+from seacruise.weather.point import PointAnswer
 
 SERVICE: Final = "Storm Glass"
-PARAMS: Final = "gust,windDirection,windSpeed"
+PARAMS: Final = "currentDirection,currentSpeed,gust,waveHeight,windDirection,windSpeed"
 """Asked together: one value costs as much as all of them."""
 
 _PATH: Final = "/v2/weather/point"
@@ -57,6 +58,50 @@ def quota_error(left: int = 0) -> WeatherError:
     )
 
 
+class _Sessions:
+    """Connections to an address that all clients of this process share; closed when the last one leaves."""
+
+    def __init__(self) -> None:
+        self._idle: list[requests.Session] = []
+        self._clients = 0
+        self._lock = threading.Lock()
+
+    def join(self) -> None:
+        with self._lock:
+            self._clients += 1
+
+    def part(self) -> None:
+        with self._lock:
+            self._clients -= 1
+            idle, self._idle = ([], self._idle) if self._clients else (self._idle, [])
+        for session in idle:
+            session.close()
+
+    def take(self) -> requests.Session:
+        # a session is no thread's own, but never used by two at a time
+        with self._lock:
+            return self._idle.pop() if self._idle else new_session()
+
+    def give_back(self, session: requests.Session, *, keep: bool) -> None:
+        with self._lock:
+            if keep and self._clients:
+                self._idle.append(session)
+                return
+        session.close()
+
+
+_shared: weakref.WeakValueDictionary[str, _Sessions] = weakref.WeakValueDictionary()
+_shared_lock = threading.Lock()
+
+
+def _sessions_to(url: str) -> _Sessions:
+    with _shared_lock:
+        found = _shared.get(url)
+        if found is None:
+            found = _shared[url] = _Sessions()
+        return found
+
+
 class Client:
     """Asks Storm Glass for one place at a time; may be used by several threads.
 
@@ -71,9 +116,8 @@ class Client:
         self._key = check_key(settings)
         self._limits = limits
         self._on_meta = on_meta
-        self._idle: list[requests.Session] = []
-        self._closed = False
-        self._lock = threading.Lock()
+        self._sessions = _sessions_to(self._url)
+        self._sessions.join()
 
     def ask(
         self, place: tuple[float, float], window: tuple[float, float], *, source: str, stop: threading.Event
@@ -87,7 +131,8 @@ class Client:
         window
             First and last time [s since 1970].
         source
-            Preferred model. All are asked for, so that another can stand in where it has no value.
+            Preferred model, or several joined by ``+``. All are asked for, so that another can stand in
+            where they have no value.
         stop
             Set when nobody waits any more.
 
@@ -109,33 +154,17 @@ class Client:
             decode=decode_answer,
             refuse=self._refusal,
         )
-        session = self._take()
+        session = self._sessions.take()
         try:
             answer = fetch(session, call, self._limits, stop)
         finally:
-            self._give_back(session, keep=not stop.is_set())
+            self._sessions.give_back(session, keep=not stop.is_set())
         self._on_meta(answer.meta)
         return to_point(answer, place=place, window=window, source=source)
 
     def close(self) -> None:
-        """Close the connections that are idle; those still waiting for a lost answer close after it."""
-        with self._lock:
-            self._closed = True
-            idle, self._idle = self._idle, []
-        for session in idle:
-            session.close()
-
-    def _take(self) -> requests.Session:
-        # a session is no thread's own, but never used by two at a time
-        with self._lock:
-            return self._idle.pop() if self._idle else new_session()
-
-    def _give_back(self, session: requests.Session, *, keep: bool) -> None:
-        with self._lock:
-            if keep and not self._closed:
-                self._idle.append(session)
-                return
-        session.close()
+        """Let go of the connections; those still waiting for a lost answer close after it."""
+        self._sessions.part()
 
     def _refusal(self, reply: Reply) -> WeatherError | None:
         """Say what the service's own error codes mean; ``None`` for those that mean the same everywhere."""

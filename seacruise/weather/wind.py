@@ -43,6 +43,8 @@ class Forecast:
         Usual step in time [h] and in space [degrees of latitude].
     notice
         A sentence the sailor must see with it ("generated weather, not a forecast"), or empty.
+    real
+        Whether it tells of the weather to come; practice weather and the sample do not.
     """
 
     source: str
@@ -52,6 +54,7 @@ class Forecast:
     step_h: float
     resolution_deg: float
     notice: str = ""
+    real: bool = True
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -21,6 +21,7 @@ from seacruise.errors import InputError, NoPassageError
 from seacruise.weather import grids
 from seacruise.weather.files import read_wind_file
 from seacruise.weather.netcdf import read_netcdf
+from tests.weather.worlds import COLUMNS, ROWS, message
 
 # --- the real ones --------------------------------------------------------------------------------
 
@@ -36,8 +37,8 @@ READABLE = [
      "47.0 to 66.0 N, 9.0 to 30.0 E", "2018-04-29T18 2018-05-07T18", 19.7,
        "24 of the hours are from a coarser grid of 0.50 degrees."),
     ("ensemble/gefs21_california_20151019.nc", (25, 11, 11),
-     "35.0 to 45.0 N, 120.0 to 130.0 W", "2015-10-19T06 2015-10-25T06", 15.4,
-       "Of 21 members (realization), the first one is used."),
+     "35.0 to 45.0 N, 120.0 to 130.0 W", "2015-10-19T06 2015-10-25T06", 14.56,
+       ""),
     ("grib/gfs_EastAtlantic_20120822_ugrib.grb", (61, 53, 36),
      "10.0 to 62.0 N, 0.0 to 43.8 W", "2012-08-22T12 2012-08-30T00", 22.7, ""),
     ("grib/gfs_qtvlm_benchmark_20121127_bzip2_named.grb", (3, 52, 108),
@@ -53,7 +54,7 @@ READABLE = [
 ]  # fmt: skip
 
 REFUSED = [
-    ("grib/gfs_scandinavia_20150309_ugrib.grb", r"missing \(masked\) over 74% of the area"),
+    ("grib/gfs_scandinavia_20150309_ugrib.grb", r"missing \(masked\) over 74% of its area"),
     ("grib/xgrib_corrupt.grb", "is not a GRIB file"),
     ("grib/xgrib_current-matching.grb", "sea currents and no wind"),
 ]
@@ -72,7 +73,7 @@ def test_a_real_file_is_read(
     assert f"{forecast.valid_from:%Y-%m-%dT%H} {forecast.valid_to:%Y-%m-%dT%H}" == hours
     assert float(np.hypot(wind.u, wind.v).max()) == pytest.approx(speed, abs=0.05)
     assert notice in forecast.notice
-    assert forecast.source == f"File {Path(name).name}"
+    assert forecast.source.removesuffix(", mean of 21 members") == f"File {Path(name).name}"
 
 
 @pytest.mark.parametrize(("name", "words"), REFUSED, ids=[case[0] for case in REFUSED])
@@ -115,9 +116,11 @@ def test_a_lambert_wind_is_turned_to_true_north(shared_data: Path) -> None:
     assert np.median(np.hypot(u - east, v - north)[inside]) < 0.2
     assert abs(np.mean((u - east)[inside])) < 0.005
     assert abs(np.mean((v - north)[inside])) < 0.005
-    turned = grids._to_true_north(read_netcdf(path, source=""))
-    np.testing.assert_allclose(turned[0][20], east, atol=0.01)
-    np.testing.assert_allclose(turned[1][20], north, atol=0.01)
+    raw = read_netcdf(path, source="").wind
+    assert raw is not None
+    turned = grids.to_true_north(raw)
+    np.testing.assert_allclose(turned.parts[0][20], east, atol=0.01)
+    np.testing.assert_allclose(turned.parts[1][20], north, atol=0.01)
 
 
 def test_a_file_is_cut_to_the_passage_and_judged_there(shared_data: Path) -> None:
@@ -125,8 +128,13 @@ def test_a_file_is_cut_to_the_passage_and_judged_there(shared_data: Path) -> Non
     wind = read_wind_file(folder / "gfs_EastAtlantic_20120822_ugrib.grb", around=[(50.0, -5.0), (43.0, -9.0)])
     assert wind.u.shape == (61, 16, 13)
     assert wind.covers([50.0, 43.0], [-5.0, -9.0]).all()
-    with pytest.raises(InputError, match="masked"):
-        read_wind_file(folder / "gfs_scandinavia_20150309_ugrib.grb", around=[(54.5, 18.5), (59.3, 18.0)])
+    masked = folder / "gfs_scandinavia_20150309_ugrib.grb"
+    with pytest.raises(InputError, match=r"masked.*around the passage, as in files that leave out land"):
+        read_wind_file(masked, around=[(54.5, 18.5), (59.3, 18.0)])
+    # there are values in the North Sea near by, but the ports' own sea is left out
+    with pytest.raises(InputError, match=r"masked.*around 57°42\.0'N 011°54\.0'E, as in files that leave"):
+        read_wind_file(masked, around=[(58.0, 2.0), (57.7, 11.9)])
+    assert read_wind_file(masked, around=[(60.4, 5.0), (57.0, -1.0)]).u.shape == (61, 11, 14)
     with pytest.raises(NoPassageError, match=r"28\.0 to 47\.0 N, 59\.0 to 80\.0 W") as caught:
         read_wind_file(folder / "zygrib_gfs_ww3_useast_20180429.grb", around=[(54.5, 18.5), (59.3, 18.0)])
     assert caught.value.reason == "outside-forecast"
@@ -146,26 +154,8 @@ def test_a_cut_lambert_file_is_the_same_wind(shared_data: Path) -> None:
 
 # --- GRIB made here -------------------------------------------------------------------------------
 
-ROWS, COLUMNS = 4, 5
 EAST = np.arange(ROWS * COLUMNS, dtype=np.float64).reshape(ROWS, COLUMNS) / 2 + 1.0
 """u of a field from south to north; v is its negative."""
-
-
-def message(name: str, values: Any, sample: str = "regular_ll_sfc_grib2", **keys: Any) -> bytes:
-    handle = eccodes.codes_grib_new_from_samples(sample)
-    first = {"Ni": COLUMNS, "Nj": ROWS, "dataDate": 20260101, "dataTime": 600, "stepRange": "3"}
-    corners = {
-        "latitudeOfFirstGridPointInDegrees": 57.0, "latitudeOfLastGridPointInDegrees": 54.0,
-        "longitudeOfFirstGridPointInDegrees": 16.0, "longitudeOfLastGridPointInDegrees": 20.0,
-        "iDirectionIncrementInDegrees": 1.0, "jDirectionIncrementInDegrees": 1.0,
-    }  # fmt: skip
-    try:
-        for key, value in {**first, **corners, "shortName": name, **keys}.items():
-            eccodes.codes_set(handle, key, value)
-        eccodes.codes_set_values(handle, np.asarray(values, dtype=np.float64).ravel())
-        return bytes(eccodes.codes_get_message(handle))
-    finally:
-        eccodes.codes_release(handle)
 
 
 def pair(values: Any = EAST[::-1], **keys: Any) -> bytes:
@@ -275,16 +265,6 @@ def test_a_rotated_grid_is_turned_and_resampled(tmp_path: Path) -> None:
     assert wind.covers(lat, lon).mean() > 0.5
 
 
-def test_members_of_an_ensemble_are_not_mixed(tmp_path: Path) -> None:
-    def member(number: int, plus: float) -> bytes:
-        keys: dict[str, Any] = {"productDefinitionTemplateNumber": 1, "perturbationNumber": number}
-        return message("10u", EAST[::-1] + plus, **keys) + message("10v", -EAST[::-1], **keys)
-
-    wind = read(tmp_path, member(2, 9.0) + member(0, 0.0))
-    np.testing.assert_allclose(wind.u[0], EAST, atol=1e-3)
-    assert "member 0 is used" in wind.forecast.notice
-
-
 def test_a_file_that_was_cut_off_is_used_as_far_as_it_goes(tmp_path: Path) -> None:
     data = pair() + pair(stepRange="6")
     wind = read(tmp_path, data[:-40])
@@ -303,6 +283,8 @@ def test_what_stands_around_the_messages_does_not_matter(tmp_path: Path) -> None
 @pytest.mark.parametrize("pack", [bz2.compress, gzip.compress])
 def test_a_packed_file_is_read_whatever_its_name(tmp_path: Path, pack: Any) -> None:
     assert read(tmp_path, pack(pair())).u.shape == (1, ROWS, COLUMNS)
+    netcdf = write_netcdf(tmp_path / "wind.nc").read_bytes()
+    np.testing.assert_allclose(read(tmp_path, pack(netcdf)).u[0], EAST)
     with pytest.raises(InputError, match="damaged or cut off"):
         read(tmp_path, pack(pair())[:-30])
 
@@ -369,8 +351,8 @@ def test_the_library_does_not_write_to_the_terminal(
     tmp_path: Path, capfd: pytest.CaptureFixture[str]
 ) -> None:
     data = bytearray(message("10u", EAST))
-    # section 5, of 21 bytes, counts the values; the library would complain aloud that there are not so many
-    data[data.index(b"\x00\x00\x00\x15\x05") + 8] = 200
+    # section 5, of 21 bytes, names the packing; of one that it does not know the library complains aloud
+    data[data.index(b"\x00\x00\x00\x15\x05") + 10] = 77
     with pytest.raises(InputError, match="cannot be decoded"):
         read(tmp_path, bytes(data))
     assert capfd.readouterr() == ("", "")
@@ -447,8 +429,13 @@ def write_netcdf(path: Path, **changes: Any) -> Path:
         ),
         (
             {"dims": ("number", "time", "lat", "lon"), "extra": {"number": [0, 1, 2]}},
+            2.0,
+            "",
+        ),
+        (
+            {"dims": ("time", "kind", "lat", "lon"), "extra": {"kind": [0, 1, 2]}},
             1.0,
-            "Of 3 members (number)",
+            "Of 3 layers (kind) of the wind, the first one is used.",
         ),
     ],
 )

@@ -18,15 +18,18 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from seacruise.commands import request
 from seacruise.errors import CancelledError, InputError, NoPassageError, WeatherError
 from seacruise.progress import Job
 from seacruise.settings import Settings
 from seacruise.weather.answers import decode_answer, decode_meta, to_point
 from seacruise.weather.sample import sample_wind
-from seacruise.weather.source import fetch_wind, horizon, weather_info
+from seacruise.weather.source import NAMES, fetch_wind, horizon, weather_info
 from seacruise.weather.wind import Wind
 from tests.conftest import REPOSITORY
 from tests.faultserver import FaultServer
+from tests.weather.weatherserver import met_norway, open_meteo
+from tests.weather.worlds import write_layers
 
 GDYNIA, STOCKHOLM = (54.52, 18.56), (59.32, 18.08)
 NOW = datetime(2026, 11, 21, 9, 30, tzinfo=UTC)
@@ -61,11 +64,84 @@ def test_practice_and_sample_are_had_by_name(settings: Settings) -> None:
     np.testing.assert_array_equal(get(settings, "Sample").u, sample_wind().u)
 
 
-def test_auto_is_practice_without_a_key_and_says_why(settings: Settings) -> None:
+def test_auto_is_open_meteo_without_a_key_and_says_why(settings: Settings) -> None:
+    told: list[str] = []
+    with open_meteo(today=NOW.replace(hour=0, minute=0)) as server:
+        there = replace(settings, openmeteo_url=server.url)
+        wind = get(there, "auto", job=Job(report=lambda stage, fraction, message: told.append(message)))
+    assert wind.forecast.source == "Open-Meteo"
+    assert wind.forecast.real
+    assert told[0] == "Wind from Open-Meteo, because STORMGLASS_API_KEY is not set"
+    assert wind.covers([GDYNIA[0], STOCKHOLM[0]], [GDYNIA[1], STOCKHOLM[1]]).all()
+
+
+def test_auto_is_practice_without_a_network_and_says_why(settings: Settings) -> None:
     told: list[str] = []
     wind = get(settings, "auto", job=Job(report=lambda stage, fraction, message: told.append(message)))
     assert "Practice" in wind.forecast.source
-    assert told == ["Wind from practice weather, because STORMGLASS_API_KEY is not set"]
+    assert not wind.forecast.real
+    why = (
+        "It stands in because STORMGLASS_API_KEY is not set and Open-Meteo failed "
+        "(Open-Meteo cannot be reached)."
+    )
+    assert wind.forecast.notice == f"Practice weather: generated, not a forecast. {why}"
+    assert told[0] == "Wind from Open-Meteo, because STORMGLASS_API_KEY is not set"
+    assert told[-1] == f"Practice weather, not a forecast. {why}"
+
+
+@pytest.mark.parametrize(
+    ("behaviour", "why"),
+    [("429-daily", "as often as it does without payment"), ("portal", "hotel"), ("nan", "not JSON")],
+)
+def test_auto_is_practice_when_open_meteo_fails(settings: Settings, behaviour: str, why: str) -> None:
+    with open_meteo(behaviour) as server:
+        wind = get(replace(settings, openmeteo_url=server.url), "auto")
+    assert not wind.forecast.real
+    assert why in wind.forecast.notice
+
+
+def test_practice_does_not_stand_in_where_it_is_of_no_use(settings: Settings) -> None:
+    # off Lisbon there is no practice weather, and after seven days none anywhere
+    for options in ({"start": (38.5, -9.5), "end": (37.0, -9.2)}, {"departure": NOW + timedelta(days=8)}):
+        with pytest.raises(WeatherError, match="Open-Meteo cannot be reached") as caught:
+            get(settings, "auto", **options)
+        assert caught.value.reason == "no-network"
+
+
+def test_a_departure_that_nobody_forecasts_is_not_practised(settings: Settings) -> None:
+    with pytest.raises(NoPassageError, match="Open-Meteo forecasts from 21 Nov 2026"):
+        get(settings, "auto", departure=NOW - timedelta(days=3))
+
+
+def test_storm_glass_with_a_key_that_fails_is_an_error_and_no_practice(settings: Settings) -> None:
+    with FaultServer("402") as server, pytest.raises(WeatherError) as caught:
+        get(replace(settings, stormglass_key="secret", stormglass_url=server.url), "auto")
+    assert caught.value.reason == "quota"
+
+
+def test_open_meteo_its_ensemble_and_met_norway_are_had_by_name(settings: Settings) -> None:
+    with open_meteo(today=NOW.replace(hour=0, minute=0)) as server:
+        there = replace(settings, openmeteo_url=server.url)
+        assert get(there, "open-meteo").forecast.source == "Open-Meteo"
+        assert len(get(there, "Open-Meteo-Ensemble").members) > 1
+    with met_norway(now=NOW) as server:
+        assert get(replace(settings, metno_url=server.url), "metno").forecast.source == "MET Norway"
+
+
+def test_services_and_files_are_averaged(settings: Settings, tmp_path: Path) -> None:
+    path = write_wind(tmp_path / "a.nc")
+    with open_meteo(today=NOW.replace(hour=0, minute=0)) as one, met_norway(now=NOW) as two:
+        there = replace(settings, openmeteo_url=one.url, metno_url=two.url)
+        parts = [get(there, name) for name in ("open-meteo", "metno", path)]
+        wind = get(there, "open-meteo", "metno", path)
+    assert wind.forecast.source == "Mean of Open-Meteo, MET Norway and a.nc"
+    moment = (NOW + timedelta(hours=1)).timestamp()
+    expected = np.mean([part.at(moment, 56.0, 18.0) for part in parts], axis=0)
+    np.testing.assert_allclose(wind.at(moment, 56.0, 18.0), expected, atol=0.05)
+    assert wind.spread is not None
+    assert wind.gust is not None
+    assert "Open-Meteo.com (CC BY 4.0)" in wind.forecast.notice
+    assert "MET Norway (CC BY 4.0)" in wind.forecast.notice
 
 
 def test_auto_is_storm_glass_with_a_key(settings: Settings) -> None:
@@ -89,7 +165,6 @@ def test_storm_glass_without_a_key_says_what_to_set(settings: Settings) -> None:
     ("names", "words"),
     [
         ((), "No forecast was named"),
-        (("open-meteo",), "not available in this version"),
         (("tomorrow.grb",), r"no forecast or file 'tomorrow\.grb'; choose auto"),
         (("practice", "sample"), "cannot be averaged"),
     ],
@@ -106,13 +181,49 @@ def test_a_file_is_read_and_several_are_averaged(settings: Settings, tmp_path: P
     assert get(settings, first).u.max() == 5.0
     mean = get(settings, first, second)
     assert mean.u.max() == mean.u.min() == 6.0
-    assert mean.forecast.source == "Mean of a.nc, b.nc"
+    assert mean.forecast.source == "Mean of a.nc and b.nc"
+    weighted = get(settings, first, second, weights=[3.0, 1.0])
+    np.testing.assert_allclose(weighted.u, 5.5, rtol=1e-6)
+    assert weighted.forecast.source == "Mean of a.nc (3) and b.nc (1)"
+    with pytest.raises(InputError, match="3 weights for 2 forecasts"):
+        get(settings, first, second, weights=[3.0, 1.0, 1.0])
 
 
-def test_files_of_different_grids_are_not_averaged(settings: Settings, tmp_path: Path) -> None:
-    first, second = write_wind(tmp_path / "a.nc"), write_wind(tmp_path / "b.nc", lat0=53.5)
-    with pytest.raises(InputError, match="different grids or times"):
-        get(settings, first, second)
+def test_files_of_different_grids_are_averaged_where_both_cover(settings: Settings, tmp_path: Path) -> None:
+    first, second = write_wind(tmp_path / "a.nc"), write_wind(tmp_path / "b.nc", lat0=53.5, plus=2.0)
+    mean = get(settings, first, second)
+    assert (mean.lat[0], mean.lat[-1]) == (53.5, 60.0)
+    np.testing.assert_allclose(mean.u, 6.0, rtol=1e-6)
+    assert mean.spread is not None
+    np.testing.assert_allclose(mean.spread, np.sqrt(2.0), rtol=1e-5)
+
+
+def test_a_current_is_put_to_the_wind(settings: Settings, tmp_path: Path) -> None:
+    path = write_layers(
+        tmp_path / "c.nc",
+        {name: (np.full((3, 8, 6), 0.25), {"units": "m s-1"}) for name in ("uo", "vo")},
+        lat=53.0 + np.arange(8.0),
+        lon=15.0 + np.arange(6.0),
+    )
+    with pytest.raises(InputError, match=r"c\.nc\) covers 2026-01-01.*choose a current of the same days"):
+        get(settings, "sample", current=path)
+    wind = get(settings, write_wind(tmp_path / "a.nc"), current=dated(path))
+    assert wind.current is not None
+    assert float(wind.current.at(wind.time[1], 56.0, 17.0)[0]) == 0.25
+    assert "ends at 2026-11-21 06:00 UTC; the last is held" in wind.forecast.notice
+    told: list[str] = []
+    job = Job(report=lambda stage, fraction, message: told.append(message))
+    with pytest.raises(InputError, match=r"nowhere\.nc cannot be read"):
+        get(settings, "open-meteo", current=tmp_path / "nowhere.nc", job=job)
+    # no request is spent when a file at hand cannot be read
+    assert told == []
+
+
+def dated(path: Path) -> Path:
+    """Let a file of `write_layers` be of the day of `write_wind`."""
+    with netCDF4.Dataset(path, "a") as file:
+        file["time"].units = "hours since 2026-11-21"
+    return path
 
 
 @pytest.mark.parametrize("name", ["practice", "sample", "file"])
@@ -137,7 +248,11 @@ def test_the_calendar_offers_what_a_source_covers(settings: Settings, tmp_path: 
     path = write_wind(tmp_path / "a.nc")
     keyed = replace(settings, stormglass_key="secret")
     assert horizon(["practice"], settings, NOW) == (today, today + timedelta(days=7))
-    assert horizon(["auto"], settings, NOW) == (today, today + timedelta(days=7))
+    assert horizon(["auto"], settings, NOW) == (today, today + timedelta(days=10))
+    assert horizon(["open-meteo-ensemble"], settings, NOW) == (today, today + timedelta(days=10))
+    hour = NOW.replace(minute=0)
+    assert horizon(["metno"], settings, NOW) == (hour, hour + timedelta(days=9))
+    assert horizon(["metno", "open-meteo"], settings, NOW) == (hour, hour + timedelta(days=9))
     assert horizon(["auto"], keyed, NOW) == (today, today + timedelta(days=10))
     assert horizon(["sample"], settings, NOW)[0] == datetime(2016, 11, 20, tzinfo=UTC)
     assert horizon([path], settings, NOW) == (today, today + timedelta(hours=12))
@@ -159,8 +274,13 @@ def test_weather_info_of_a_closed_folder_says_why_nothing_is_kept(
 def test_weather_info_tells_what_is_there(settings: Settings) -> None:
     before = weather_info(settings, NOW)
     assert before.quota is None
-    stormglass = before.sources[0]
+    assert [source.name for source in before.sources] == [*NAMES, "file"]
+    # the command line offers them without loading this room
+    assert request.SERVICES == NAMES
+    automatic, stormglass, free, *_ = before.sources
+    assert "Open-Meteo, because" in automatic.remark
     assert (stormglass.name, stormglass.usable) == ("stormglass", False)
+    assert "CC BY 4.0" in free.terms
     assert "STORMGLASS_API_KEY" in stormglass.remark
     with FaultServer() as server:
         keyed = replace(settings, stormglass_key="secret", stormglass_url=server.url)
