@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass
-from datetime import UTC, datetime
+from dataclasses import dataclass, replace
+from datetime import UTC, datetime, timedelta
 from functools import lru_cache
 from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
-from benchmarks.measure import ROOT
+from benchmarks.measure import ROOT, say
 from seacruise.geodesy import to_mercator
 from seacruise.passage import Options, PassageRequest, sea_between
 from seacruise.ports import Port, find_port, load_ports
@@ -22,6 +22,8 @@ from seacruise.routing.refine import Waters
 from seacruise.sea import Sea
 from seacruise.sea.raster import WaterRaster
 from seacruise.settings import Settings
+from seacruise.weather.files import read_wind_file
+from seacruise.weather.practice import practice_wind
 from seacruise.weather.sample import sample_wind
 from seacruise.weather.wind import Wind
 from seacruise.yacht.fleet import find_yacht, load_fleet
@@ -43,6 +45,11 @@ PASSAGES: Final = (
     ("Travemunde", "Tallinn"),
 )
 
+PRACTICE_BEGINS: Final = datetime(2026, 7, 1, tzinfo=UTC)
+"""The same practice weather in every run."""
+
+RELOCATED: Final = ROOT.parent / "shared/data/weather/baltic/RELOCATED_gfs025_120h_to_baltic.nc"
+
 OFF_STOCKHOLM: Final = (58.85, 18.6)
 """Open water before the archipelago: a lattice of one spacing does not reach the harbour behind it."""
 
@@ -60,11 +67,16 @@ class World:
     yacht: Polar
     wind: Wind
     sea: Sea
+    leaves: datetime = DEPARTURE
 
     @property
     def departure(self) -> float:
         """Seconds since 1970."""
-        return DEPARTURE.timestamp()
+        return self.leaves.timestamp()
+
+    def under(self, wind: Wind) -> World:
+        """Give the same world in another wind, left six hours after its begin."""
+        return replace(self, wind=wind, leaves=wind.forecast.valid_from + timedelta(hours=6))
 
     @property
     def speeds(self) -> SpeedTable:
@@ -94,7 +106,7 @@ class World:
     def request(self, start: str, end: str) -> PassageRequest:
         """Ask for a passage between two ports with the default options."""
         return PassageRequest(
-            self.port(start), self.port(end), self.yacht, self.wind, DEPARTURE, options=Options()
+            self.port(start), self.port(end), self.yacht, self.wind, self.leaves, options=Options()
         )
 
     def question(self, start: Position, end: Position, *, sea: Sea | None = None) -> Question:
@@ -110,6 +122,16 @@ def world() -> World:
     yacht = find_yacht(YACHT, load_fleet([resource_path("polars")]))
     sea = sea_between(find_port("Gdynia", ports), find_port("Stockholm", ports), settings)
     return World(settings, ports, yacht, sample_wind(), sea)
+
+
+def other_winds() -> dict[str, Wind]:
+    """Practice weather, and a real forecast moved to the Baltic where the data for tests lies beside us."""
+    winds = {"practice": practice_wind(PRACTICE_BEGINS)}
+    if RELOCATED.is_file():
+        winds["relocated forecast"] = read_wind_file(RELOCATED)
+    else:
+        say(f"No {RELOCATED.name} in {RELOCATED.parent.name}: its passages are left out.")
+    return winds
 
 
 def home() -> str:
