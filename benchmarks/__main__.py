@@ -23,6 +23,8 @@ SECTIONS: Final = {
     "accuracy": ("accuracy", "accuracy"),
     "peers": ("peers", "peers"),
     "rooms": ("rooms", "rooms"),
+    "legs": ("legs", "legs"),
+    "logs": ("logs", "logs"),
     "window": ("window", "window"),
 }
 

@@ -83,6 +83,74 @@ def hrosailing_figures(at: World, simulator: Simulator, *, runs: int) -> Figures
         }
 
 
+def beside_hrosailing(yacht: Polar, *, runs: int) -> Figures:
+    """Evaluate a polar and find hull directions with both programs, from one and the same table.
+
+    Its functions take one wind and one angle a call; ours take arrays, and are also timed one point a call.
+    """
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        cruising, polars = (import_module(f"hrosailing.{room}") for room in ("cruising", "polardiagram"))
+        full = np.unique(np.concatenate((yacht.twa, np.arange(0.0, 181.0, 5.0))))
+        tws_kn = yacht.tws / MS_PER_KNOT
+        table = Polar(yacht.name, yacht.tws, full, yacht.speed(yacht.tws, full[:, None]))
+        both_tacks = np.concatenate((full, 360.0 - full[-2:0:-1]))
+        diagram = polars.PolarDiagramTable(
+            ws_resolution=tws_kn,
+            wa_resolution=both_tacks,
+            bsps=table.speed(table.tws, both_tacks[:, None]) / MS_PER_KNOT,
+        )
+        return {
+            "outcome": "compared",
+            "evaluation": _evaluation(table, diagram, runs=runs),
+            "hull_directions": _directions(cruising, table, diagram, runs=runs),
+        }
+
+
+def _evaluation(table: Polar, diagram: Any, *, runs: int) -> Figures:
+    winds_kn, angles = np.linspace(4.0, 20.0, 10), np.linspace(40.0, 170.0, 20)
+
+    def theirs() -> list[float]:
+        return [float(diagram(tws, twa)) for tws in winds_kn.tolist() for twa in angles.tolist()]
+
+    def ours() -> Any:
+        return table.speed(winds_kn[:, None] * MS_PER_KNOT, angles)
+
+    difference = np.array(theirs()).reshape(ours().shape) / (ours() / MS_PER_KNOT) - 1.0
+    slow, fast = in_ms(stopwatch(theirs, runs=runs)), in_ms(stopwatch(ours, runs=runs))
+    single = in_ms(stopwatch(lambda: table.speed(6.3, 71.0), runs=runs))
+    return {
+        "points": int(difference.size),
+        "theirs": slow,
+        "ours": fast,
+        "ours_one_point_a_call": single,
+        "ratio": round(slow["median_ms"] / fast["median_ms"], 1),
+        "ratio_one_point_a_call": round(slow["median_ms"] / difference.size / single["median_ms"], 1),
+        "difference_worst_percent": round(100.0 * float(np.abs(difference).max()), 2),
+        "difference_rms_percent": round(100.0 * float(np.sqrt((difference**2).mean())), 2),
+    }
+
+
+def _directions(cruising: Any, table: Polar, diagram: Any, *, runs: int) -> Figures:
+    winds_kn, courses = (8.0, 12.0, 16.0), np.arange(0.0, 181.0, 15.0)
+
+    def theirs() -> list[Any]:
+        return [cruising.convex_direction(diagram, tws, twa) for tws in winds_kn for twa in courses.tolist()]
+
+    def ours() -> Any:
+        return hull_headings(table, np.array(winds_kn)[:, None] * MS_PER_KNOT, courses)
+
+    impossible = sum(any(not -1e-9 <= part.proportion <= 1.0 + 1e-9 for part in split) for split in theirs())
+    slow, fast = in_ms(stopwatch(theirs, runs=runs)), in_ms(stopwatch(ours, runs=runs))
+    return {
+        "directions": len(winds_kn) * int(courses.size),
+        "theirs": slow,
+        "ours": fast,
+        "ratio": round(slow["median_ms"] / fast["median_ms"], 1),
+        "their_shares_below_zero_or_above_one": int(impossible),
+    }
+
+
 def _cost(bench: _Bench, leg: Leg) -> Figures:
     (lat0, lon0), (lat1, lon1) = start, end = leg
     begun = time.perf_counter()

@@ -7,7 +7,8 @@ from typing import Final
 
 import numpy as np
 
-from benchmarks.measure import Figures, Pace, in_ms, say, stopwatch
+from benchmarks.hro import beside_hrosailing
+from benchmarks.measure import Figures, Pace, attempt, in_ms, say, stopwatch
 from benchmarks.world import World, world
 from seacruise.ports import load_ports
 from seacruise.resources import resource_path
@@ -29,6 +30,8 @@ def rooms(pace: Pace) -> Figures:
         figures[name] = in_ms(stopwatch(call, runs=pace.runs))
     per_point = figures["wind_at_1000000_points"]["median_ms"] * 1e6 / POINTS
     figures["wind_at_1000000_points"]["ns_per_point"] = round(per_point, 1)
+    say("rooms: polars beside hrosailing")
+    figures["beside_hrosailing"] = attempt(lambda: beside_hrosailing(at.yacht, runs=pace.runs))
     return figures
 
 

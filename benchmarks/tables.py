@@ -143,11 +143,13 @@ def _accuracy(section: Figures) -> str:
         "optimum_line_h",
         "line_gap_percent",
         "land_free",
+        "classic_h",
     )
     rows = [(name, *(case[key] for key in keys)) for name, case in section["passages"].items()]
     worst = (
         f"Worst gap {section['shown']['worst_gap_percent']} %, budget {_kept(section['shown'])}; "
-        f"of the lines {section['lines']['worst_gap_percent']} %, budget {_kept(section['lines'])}."
+        f"of the lines {section['lines']['worst_gap_percent']} %, budget {_kept(section['lines'])}. "
+        f"Slower than classic: {', '.join(section['slower_than_classic']) or 'none'}."
     )
     head = ("passage", *(_words(key) for key in keys))
     return f"### Accuracy\n\n{section['about']}\n\n{table(head, rows)}\n\n{worst}"
@@ -216,9 +218,43 @@ def _rooms(section: Figures) -> str:
     rows = [
         (_words(name), case["median_ms"], case["min_ms"])
         for name, case in section.items()
-        if isinstance(case, dict)
+        if isinstance(case, dict) and "median_ms" in case
     ]
-    return f"### Wind, polar, files\n\n{table(('call', 'median ms', 'min ms'), rows)}"
+    text = f"### Wind, polar, files\n\n{table(('call', 'median ms', 'min ms'), rows)}"
+    return text + _beside(section.get("beside_hrosailing", {}))
+
+
+def _beside(section: Figures) -> str:
+    if section.get("outcome") != "compared":
+        return ""
+    cases = [(_words(name), _facts(section[name])) for name in ("evaluation", "hull_directions")]
+    return "\n\nThe same table in hrosailing:\n\n" + table(("what", "figures"), cases)
+
+
+def _legs(section: Figures) -> str:
+    ours = [(_words(name), case["median_ms"], case["min_ms"]) for name, case in section["ours"].items()]
+    text = f"### Legs\n\n{section['about']}\n\n{table(('call', 'median ms', 'min ms'), ours)}"
+    if "outcome" in section["hrosailing"]:
+        text += f"\n\nhrosailing: {section['hrosailing']['outcome']}"
+    else:
+        rows = [
+            (_words(course), _words(name), *(case[key] for key in _BESIDE))
+            for course, cases in section["hrosailing"].items()
+            for name, case in cases.items()
+        ]
+        text += "\n\n" + table(("leg", "figure", *map(_words, _BESIDE)), rows)
+    rows = [
+        (_words(name), _facts(case)) for name, case in section["geographiclib"].items() if name != "outcome"
+    ]
+    return text + "\n\n" + table(("course for 6 h", "against the ellipsoid"), rows)
+
+
+_BESIDE: Final = ("hrosailing", "ours", "difference_percent", "ratio")
+
+
+def _logs(section: Figures) -> str:
+    rows = [(_words(name), _facts(case)) for name, case in section.items() if isinstance(case, dict)]
+    return "### Logs\n\n" + table(("log at 1 Hz", "figures"), rows)
 
 
 def _window(section: Figures) -> str:
@@ -238,6 +274,8 @@ PARTS: Final = {
     "accuracy": _accuracy,
     "peers": _peers,
     "rooms": _rooms,
+    "legs": _legs,
+    "logs": _logs,
     "window": _window,
 }
 

@@ -107,7 +107,8 @@ def test_results_become_tables(report: Any) -> None:
     assert ("kept" if case["within"] else "missed") in row
     assert "plan failed: OSError: full" in text
     tables = [line for line in text.splitlines() if line.startswith("| --- |")]
-    assert len(tables) == 4
+    beside = report["sections"]["rooms"]["beside_hrosailing"]["outcome"] == "compared"
+    assert len(tables) == 4 + beside
 
 
 def test_failing_section_costs_no_other(monkeypatch: pytest.MonkeyPatch, capsys: Any) -> None:

@@ -129,11 +129,16 @@ def _windward(angle: float, speed: float) -> list[_Hermite]:
     """From dead into the wind to the least angle with a figure."""
     if angle == 0.0:
         return []
-    widest = np.degrees(1.0 / np.tan(np.radians(angle))) if angle < 90.0 else 0.0
-    start = max(0.0, angle - max(float(widest), _LEAST_RAMP))
+    start = ramp_start(angle)
     ramp = speed / (angle - start)
     calm = [_Hermite(0.0, start, 0.0, 0.0, 0.0, 0.0)] if start > 0.0 else []
     return [*calm, _Hermite(start, angle, 0.0, speed, ramp, ramp)]
+
+
+def ramp_start(angle: float) -> float:
+    """Angle [degrees] up to which the speed is zero where the least figure is at ``angle``."""
+    widest = np.degrees(1.0 / np.tan(np.radians(angle))) if angle < 90.0 else 0.0
+    return max(0.0, angle - max(float(widest), _LEAST_RAMP))
 
 
 def _leeward(angle: float, speed: float) -> list[_Hermite]:

@@ -120,12 +120,18 @@ def _vertices(angles: Array, speeds: Array) -> NDArray[np.bool_]:
     tie = 1e-12 * np.max(np.abs(vmg), axis=1, keepdims=True, initial=0.0)
     windward = vmg >= vmg.max(axis=1, keepdims=True) - tie
     leeward = vmg <= vmg.min(axis=1, keepdims=True) + tie
-    # Of equal VMG the one furthest from the wind's axis spans the chord.
+    # Of equal VMG the one furthest from the wind's axis spans the chord. Where none is made good, the hull
+    # closes at the origin, where all samples at rest lie; between two that move it is inside.
     top = samples - 1 - np.argmax(windward[:, ::-1], axis=1)[:, np.newaxis]
+    top = np.where(vmg.max(axis=1, keepdims=True) > tie, top, 0)
     index = np.arange(samples)
     bottom = np.argmax(leeward & (index >= top), axis=1)[:, np.newaxis]
-    # In a calm all samples tie, top lies beyond bottom, and one vertex must remain.
-    kept = ((index >= top) & (index <= bottom)) | (index == top)
+    bottom = np.where(vmg.min(axis=1, keepdims=True) < -tie, bottom, samples - 1)
+    moves = speeds > 0.0
+    first = np.argmax(moves, axis=1)[:, np.newaxis]
+    last = samples - 1 - np.argmax(moves[:, ::-1], axis=1)[:, np.newaxis]
+    calm = ~moves.any(axis=1, keepdims=True)
+    kept = (index >= top) & (index <= bottom) & (moves | calm | (index < first) | (index > last))
     x, y = speeds * np.sin(angles), vmg
     rows = np.arange(len(speeds))
     while len(rows):

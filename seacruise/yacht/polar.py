@@ -35,6 +35,9 @@ class Polar:
         ``(a, w)`` boat speed through the water [m/s]; NaN where the table has no figure.
     source
         Certificate or file that the figures are from.
+    sails
+        The tables of the single sails, each named after its sail, where the figures are the best of
+        several; see `seacruise.yacht.sails`.
 
     Raises
     ------
@@ -49,6 +52,7 @@ class Polar:
     speed_table: NDArray[np.float64]
     source: str = ""
     path: Path | None = None
+    sails: tuple[Polar, ...] = ()
     _curves: Curves | None = field(default=None, init=False, repr=False)
 
     def __post_init__(self) -> None:
@@ -103,6 +107,10 @@ class Polar:
         """
         return evaluate(self.curves, np.asarray(tws, dtype=np.float64), fold_angle(twa))
 
+    def to_table(self) -> Polar:
+        """Return the polar itself; see `seacruise.yacht.models.SpeedModel`."""
+        return self
+
     def nearest_speed(self, tws: ArrayLike, twa: ArrayLike) -> Array:
         """Boat speed [m/s] by the rule of R1: the nearest tabulated wind speed, linear in the angle only.
 
@@ -127,6 +135,21 @@ class Polar:
         result[wind <= 0.0] = 0.0
         result[np.isnan(wind) | np.isnan(angle)] = np.nan
         return result
+
+    def covers(self, tws: ArrayLike, twa: ArrayLike) -> NDArray[np.bool_]:
+        """Whether a wind [m/s] and an angle [degrees] lie within the figures, rather than beyond them.
+
+        Within the winds of the table, and between the least and the greatest angle that has a figure at the
+        nearest of them.
+        """
+        wind, angle = np.broadcast_arrays(np.asarray(tws, dtype=np.float64), fold_angle(twa))
+        known = ~np.isnan(self.speed_table)
+        nearest = np.abs(wind[..., np.newaxis] - self.tws).argmin(axis=-1)
+        least = self.twa[known.argmax(axis=0)][nearest]
+        greatest = self.twa[::-1][known[::-1].argmax(axis=0)][nearest]
+        # Knots become m/s with a rounding that must not decide.
+        in_wind = (wind >= self.tws[0] * (1.0 - 1e-9)) & (wind <= self.tws[-1] * (1.0 + 1e-9))
+        return np.asarray(in_wind & (angle >= least) & (angle <= greatest))
 
     def best_vmg(self, tws: ArrayLike, upwind: bool) -> tuple[Array, Array]:
         """Angle [degrees] and speed [m/s] of the best velocity made good against or with the wind.

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import codecs
+import json
 import tempfile
 from contextlib import suppress
 from pathlib import Path
@@ -191,9 +192,6 @@ def test_beat_and_run_vmg_become_speeds(tmp_path: Path) -> None:
         pytest.param(
             "TWS,TWA,BSP\n6,45\n", "line 2: wind speed, wind angle and boat speed", id="short point"
         ),
-        pytest.param("PolarDiagramMultiSails\nTWS\n", "line 1: tables of several sails", id="several sails"),
-        pytest.param('<?xml version="1.0"?>', "line 1: this is an XML file", id="XML"),
-        pytest.param('{"label": 1}', "line 1: this is a JSON file", id="JSON"),
         pytest.param(b"BZh91AY&SY\x00\x01\x02", "is not a text file", id="binary"),
         pytest.param(b"\xff\xfet", "is not a text file", id="half UTF-16"),
     ],
@@ -277,33 +275,77 @@ def test_a_target_that_cannot_be_written_leaves_nothing(tmp_path: Path) -> None:
 @example(b"twa/tws;6;8\n45;4;5\n90;\xff;6")
 @example(b"TWS,TWA,BSP")
 @example(b"TWA 6 8\nTWA 45 45\nVMG 1 1")
-def test_hostile_bytes_raise_nothing_but_input_errors(content: bytes) -> None:
-    read_or_refuse(content)
+def test_hostile_bytes_raise_nothing_but_input_errors(folder: Path, content: bytes) -> None:
+    read_or_refuse(content, folder)
 
 
 HOSTILE = st.text("0123456789.,;\t\n\r -+eE°\"'#!/\\{[<twasbpvmgxyn\u0660\ud7ff", max_size=200)
 
 
 @given(HOSTILE)
-def test_hostile_text_raises_nothing_but_input_errors(content: str) -> None:
-    read_or_refuse(content.encode())
-    read_or_refuse(b"twa/tws;6;8\n" + content.encode())
-    read_or_refuse(b"TWA\t6\t8\n45\t3\t4\n" + content.encode())
+def test_hostile_text_raises_nothing_but_input_errors(folder: Path, content: str) -> None:
+    read_or_refuse(content.encode(), folder)
+    read_or_refuse(b"twa/tws;6;8\n" + content.encode(), folder)
+    read_or_refuse(b"TWA\t6\t8\n45\t3\t4\n" + content.encode(), folder)
+    read_or_refuse(b"# sail: A\ntwa/tws;6;8\n45;3;4\n90;4;5\n# sail: B\n" + content.encode(), folder)
 
 
-def read_or_refuse(content: bytes) -> None:
-    with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / "boat.csv"
-        path.write_bytes(content)
-        with suppress(InputError):
-            polar = read_polar(path)
-            assert np.isfinite(polar.speed(5.0, np.arange(181.0))).all()
+KEYS = ["vpp", "speeds", "angles", "45", "beat_angle", "beat_vmg", "sail", "tws", "twa", "speed", "label"]
+KEYS += ["globalSpeedRatio", "sails", "name", "tws_kn", "twa_deg", "boat_speed_kn", "yacht"]
+
+JSON = st.recursive(
+    st.none() | st.booleans() | st.floats() | st.integers() | st.text(max_size=5) | st.floats(0, 60),
+    lambda inner: (
+        st.lists(inner, max_size=4)
+        | st.dictionaries(
+            st.sampled_from(KEYS),
+            inner,
+            max_size=6,
+        )
+    ),
+    max_leaves=40,
+)
 
 
-REFUSED = {
-    "multisails_hro_format_example.csv": "tables of several sails are not read",
-    "Boat.xml": "this is an XML file",
-}
+@given(JSON)
+@example({"tws_kn": [6, 8], "twa_deg": [45, 90], "boat_speed_kn": [[1, 2], [3, None]]})
+@example({"sails": [{"tws_kn": [6, 8], "twa_deg": [45, 90], "boat_speed_kn": [[1, 2], [3, 10**400]]}]})
+@example({"sail": [{"speed": [[1, 2], [3, -0.1]]}], "tws": [6, 8], "twa": [45, 90]})
+@example({"vpp": {"speeds": [6, 8], "angles": [45], "45": [1, 2], "beat_angle": [0, 90], "beat_vmg": [1, 1]}})
+def test_hostile_json_raises_nothing_but_input_errors(folder: Path, content: object) -> None:
+    read_or_refuse(json.dumps(content).encode(), folder)
+
+
+@given(st.text('<>/="!&;:- \n[]ABCDEFGHIJKLMNOPenCPNWthrRoutigBalFm.?x#0123456789', max_size=200))
+@example("[" * 100_000)
+@example('{"a":' * 100_000)
+@example("<a>" * 100_000)
+@example('<!DOCTYPE a [<!ENTITY b "bb"><!ENTITY c "&b;&b;">]><a>&c;</a>')
+@example('<OpenCPNWeatherRoutingBoat><Polar FileName="../../boat.csv"/></OpenCPNWeatherRoutingBoat>')
+@example("PolarDiagramMultiSails\nTWS\n6,8\nA\nTWA\n45,90\nBSP\n1,2\n")
+@example("PolarDiagramTable\nTWS\n6,8\nTWA\n45,90\nBSP\n1,2\n3,4\n5")
+def test_hostile_forms_raise_nothing_but_input_errors(folder: Path, content: str) -> None:
+    read_or_refuse(content.encode(), folder)
+    read_or_refuse(b"<OpenCPNWeatherRoutingBoat>" + content.encode(), folder)
+    read_or_refuse(b"PolarDiagramMultiSails\nTWS\n6,8\n" + content.encode(), folder)
+    read_or_refuse(b"TWS,TWA,BSP\n6,45,4\n" + content.encode(), folder)
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return tmp_path_factory.mktemp("hostile")
+
+
+def read_or_refuse(content: bytes, folder: Path) -> None:
+    path = folder / "boat.csv"
+    path.write_bytes(content)
+    with suppress(InputError):
+        polar = read_polar(path)
+        assert np.isfinite(polar.speed(5.0, np.arange(181.0))).all()
+
+
+# Its polar file does not lie beside it.
+REFUSED = {"Boat.xml": "the boat's polar file 'Test-TWS-0-20\\+60.pol' does not lie beside it"}
 
 
 def test_every_real_file_is_read_or_refused_rightly(shared_data: Path) -> None:

@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import warnings
+from importlib import import_module
+from typing import Any
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -14,6 +18,8 @@ from seacruise.units import MS_PER_KNOT
 from seacruise.yacht.files import read_polar
 from seacruise.yacht.hull import hull_headings, hull_speed
 from seacruise.yacht.polar import Polar
+from seacruise.yacht.sails import SailSet, sail_at
+from seacruise.yacht.targets import targets
 from tests.yacht.polars import polar_kn, polars, small
 
 Array = NDArray[np.float64]
@@ -132,3 +138,81 @@ def test_best_vmg_is_sampled_finely_enough() -> None:
     vmg = polar.speed(winds[:, np.newaxis], fine) * np.cos(np.radians(fine))
     np.testing.assert_allclose(made_good[:, 0], vmg.max(axis=1), rtol=5e-4)
     np.testing.assert_allclose(made_good[:, 1], -vmg.min(axis=1), rtol=5e-4)
+
+
+YACHTS = ("edel-660", "bavaria-46-cruiser", "cookson-50", "bavaria-c50")
+
+
+def hrosailings_speed(polar: Polar, diagram: Any, tws_kn: float, course: float) -> float | None:
+    """Speed made good by the headings of hrosailing; ``None`` where its shares are no shares."""
+    split = import_module("hrosailing.cruising").convex_direction(diagram, tws_kn, course)
+    if any(not -1e-9 <= part.proportion <= 1.0 + 1e-9 for part in split):
+        return None
+    headings = [(part.angle, part.proportion) for part in split] if len(split) > 1 else [(course, 1.0)]
+    return sum(
+        share * float(polar.speed(tws_kn * KN, twa)) * float(np.cos(np.radians(twa - course)))
+        for twa, share in headings
+    )
+
+
+@pytest.mark.parametrize("yacht", YACHTS)
+def test_the_hull_is_hrosailings(yacht: str) -> None:
+    """Within 1 %, where its shares are shares: on a course that is one of its vertices they can be -0.03."""
+    pytest.importorskip("hrosailing", reason="hrosailing is not installed (extra bench)")
+    polar = read_polar(resource_path("polars") / f"{yacht}.csv")
+    winds, angles = np.array([6.0, 10.0, 14.0, 20.0]), np.arange(0.0, 360.0, 2.0)
+    compared = 0
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        diagram = import_module("hrosailing.polardiagram").PolarDiagramTable(
+            ws_resolution=winds, wa_resolution=angles, bsps=polar.speed(winds * KN, angles[:, None]) / KN
+        )
+        for tws_kn in winds.tolist():
+            ours = hull_speed(polar, tws_kn * KN, np.arange(0.0, 181.0, 15.0))[0]
+            for course, speed in zip(np.arange(0.0, 181.0, 15.0), ours, strict=True):
+                theirs = hrosailings_speed(polar, diagram, tws_kn, float(course))
+                if theirs is not None:
+                    compared += 1
+                    assert theirs == pytest.approx(float(speed), rel=0.01), (tws_kn, course)
+    assert compared >= 45
+
+
+@given(polars(), st.floats(0.5, 35.0))
+def test_the_hull_is_convex(polar: Polar, tws: float) -> None:
+    """No chord between two courses reaches beyond it, over both tacks."""
+    courses = np.arange(-180.0, 180.0, 5.0)
+    speed = hull_speed(polar, tws, courses)[0]
+    places = speed * np.exp(1j * np.radians(courses))
+    chords = (places[:, np.newaxis] + places) / 2.0
+    reach = hull_speed(polar, tws, np.degrees(np.angle(chords)).ravel())[0].reshape(chords.shape)
+    # The hull is made of samples half a degree apart: its rounding is 0.004 % of the radius.
+    assert (np.abs(chords) <= reach * (1.0 + 2e-4) + 1e-9).all()
+
+
+def test_headings_may_need_two_sails() -> None:
+    jib = polar_kn((6, 12), (45, 70, 100), ((5, 6), (7, 8), (5, 6)), name="Jib")
+    spinnaker = polar_kn((6, 12), (100, 120, 150), ((5.5, 6.5), (7.5, 8.5), (5, 6)), name="Spinnaker")
+    polar = SailSet("Yacht", (jib, spinnaker)).to_table()
+    tws = 12 * KN
+    twa1, share1, twa2, share2 = (float(v) for v in hull_headings(polar, tws, 95.0))
+    assert sail_at(polar, tws, twa1) == "Jib"
+    assert sail_at(polar, tws, twa2) == "Spinnaker"
+    assert 0.0 < share1 < 1.0
+    assert share1 + share2 == pytest.approx(1.0)
+    assert hull_speed(polar, tws, 95.0)[0, 0] > float(polar.speed(tws, 95.0)) * 1.05
+
+
+def test_targets_are_the_best_beat_and_run() -> None:
+    polar = small()
+    (target,) = targets(polar, [10.0])
+    assert target.tws_kn == 10.0
+    assert target.beat.twa == 42.0
+    assert target.beat.boat_speed_kn == pytest.approx(6.2)
+    assert target.beat.vmg_kn == pytest.approx(6.2 * np.cos(np.radians(42.0)))
+    # 10 kn at 42 degrees and 6.2 kn of her own: 10 cos 42 + 6.2 ahead, 10 sin 42 abeam.
+    ahead, abeam = 10 * np.cos(np.radians(42.0)) + 6.2, 10 * np.sin(np.radians(42.0))
+    assert target.beat.aws_kn == pytest.approx(np.hypot(ahead, abeam))
+    assert target.beat.awa == pytest.approx(np.degrees(np.arctan2(abeam, ahead)))
+    assert target.beat.sail is None
+    assert target.run.twa > 90.0
+    assert target.run.vmg_kn == pytest.approx(float(hull_speed(polar, 10 * KN, 180.0)[0, 0]) / KN, rel=1e-6)
