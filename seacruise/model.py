@@ -63,6 +63,11 @@ class Options:
         Tacks and gybes the crew wants to make at the most; boards get longer where the water allows it.
     may_wait_h
         She may leave up to this much later [h] where that brings her there earlier or at all.
+    percent_at_night
+        Share of her speed that the crew keeps in the dark [%].
+    sea_state_percent
+        What each metre of waves above half a metre takes off her speed head to sea [%], less on other
+        courses and nothing from astern; see `seacruise.yacht.knobs`.
     lattice
         ``"rectangular"`` has 8, 16 or 32 courses (R2, R3); reach knows the triangular one only.
     safety_radius_nm, safety_levels
@@ -93,6 +98,8 @@ class Options:
     board_h: float | None = None
     most_turns: int | None = None
     may_wait_h: float = 0.0
+    percent_at_night: float = 100.0
+    sea_state_percent: float = 0.0
     lattice: Literal["triangular", "rectangular"] = "triangular"
     safety_radius_nm: float | None = None
     safety_levels: int = 0
@@ -123,10 +130,13 @@ def check_options(options: Options) -> None:
     within(options.gybe_penalty_min, 0.0, 120.0, "The cost of a gybe [min]")
     within(options.turn_penalty, 0.0, 60.0, "A penalty for turning [min for 10 degrees]")
     within(options.board_h, 0.1, 24.0, "A length of boards [h]")
+    within(options.most_turns, 0, 1000, "A number of tacks and gybes")
     within(options.may_wait_h, 0.0, 240.0, "A time to wait [h]")
     within(options.motor_below_kn, 0.0, 50.0, "A boat speed [kn] to start the engine below")
     within(options.motor_speed_kn, 0.1, 50.0, "A speed under engine [kn]")
     within(options.fuel_rate_l_h, 0.0, 1000.0, "A fuel rate [l/h]")
+    within(options.percent_at_night, 10.0, 100.0, "A percentage of the speed at night")
+    within(options.sea_state_percent, 0.0, 50.0, "A loss of speed for each metre of waves [%]")
     within(options.safety_radius_nm, 0.1, 15.0, "A radius of safety zones [nm]")
     within(options.safety_levels, 0, 6, "A number of safety levels")
     if (options.safety_radius_nm is None) != (options.safety_levels == 0):

@@ -322,6 +322,8 @@ def how_of(options: Options) -> How:
             tack_min=options.tack_penalty_min,
             gybe_min=options.gybe_penalty_min,
             turn_min_per_10_deg=options.turn_penalty,
+            percent_at_night=options.percent_at_night,
+            sea_state_percent=options.sea_state_percent,
         ),
         mesh=options.lattice,
         safety=Safety((options.safety_radius_nm or 0.0) * METRES_PER_NM, options.safety_levels),

@@ -267,6 +267,7 @@ def _outing(request: ReachRequest, sea: Sea, start: Place, departure: datetime) 
             since=departure.timestamp(),
             current=request.wind.current,
             limits=handling.limits,
+            knobs=handling.knobs,
         ),
         speed_table(request.yacht, handling),
         (start.lat, start.lon),

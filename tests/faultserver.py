@@ -16,11 +16,12 @@ import gzip
 import json
 import math
 import socket
+import ssl
 import struct
 import sys
 import threading
 import zlib
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from datetime import UTC, datetime, timedelta
 from email.utils import format_datetime
@@ -46,7 +47,8 @@ class FaultServer:
     """Serves on a free port of this machine between ``__enter__`` and ``__exit__``.
 
     ``quota`` requests are answered a day, then 402; ``slow_s`` is the pause of the behaviour ``slow``;
-    ``body`` replaces the generated answer.
+    ``body`` replaces the generated answer. ``make`` and ``behaviours`` are another service's answers and
+    misbehaviours in place of Storm Glass's; ``tls`` makes the server speak TLS with its certificate.
     """
 
     behaviour: str = "good"
@@ -57,6 +59,9 @@ class FaultServer:
     used: int = 0
     requests: list[Request] = field(default_factory=list)
     most_at_once: int = 0
+    make: Callable[[Request], Any] | None = None
+    behaviours: Mapping[str, Behaviour] | None = None
+    tls: ssl.SSLContext | None = None
 
     def __post_init__(self) -> None:
         self.stopping = threading.Event()
@@ -69,7 +74,7 @@ class FaultServer:
 
     @property
     def url(self) -> str:
-        return f"http://127.0.0.1:{self.port}"
+        return f"http{'s' if self.tls else ''}://127.0.0.1:{self.port}"
 
     def __enter__(self) -> FaultServer:
         thread = threading.Thread(target=self._accept, daemon=True)
@@ -111,6 +116,10 @@ class FaultServer:
             self._open += 1
             self.most_at_once = max(self.most_at_once, self._open)
         try:
+            if self.tls is not None:
+                connection = self.tls.wrap_socket(connection, server_side=True)
+                with self._lock:
+                    self._connections.append(connection)
             with connection.makefile("rb") as reader:
                 while (request := read_request(reader)) is not None:
                     with self._lock:
@@ -119,7 +128,8 @@ class FaultServer:
                         self.requests.append(request)
                         self.used += 1
                         count = self.used
-                    if not BEHAVIOURS[name](Exchange(self, connection, request, count)):
+                    behaviour = (self.behaviours or BEHAVIOURS)[name]
+                    if not behaviour(Exchange(self, connection, request, count)):
                         break
         except OSError:
             pass  # the other side went away, as it may
@@ -156,8 +166,10 @@ class Exchange:
     request: Request
     count: int
 
-    def document(self) -> Document:
+    def document(self) -> Any:
         """Make the right answer to the request, in the shape of 2026."""
+        if self.server.make is not None:
+            return self.server.make(self.request)
         query = self.request.query
         lat, lon = float(query["lat"]), float(query["lng"])
         begin, end = (datetime.fromtimestamp(float(query[name]), UTC) for name in ("start", "end"))
@@ -181,14 +193,14 @@ class Exchange:
 
     def send(
         self,
-        body: bytes | Document | str,
+        body: bytes | Document | list[Any] | str,
         *,
         status: str = "200 OK",
         kind: str = "application/json; charset=utf-8",
         headers: str = "",
         length: int | None = None,
     ) -> bool:
-        if isinstance(body, dict):
+        if isinstance(body, (dict, list)):
             body = json.dumps(body)
         if isinstance(body, str):
             body = body.encode()
@@ -408,6 +420,37 @@ def another_place(document: Document) -> None:
     document["meta"].update(lat=-30.0, lng=150.0)
 
 
+def more_told(hour: Document, number: int) -> None:
+    """Add waves and a current, which sets to the north; the sea has none at every seventh hour."""
+    known = number % 7 != 3
+    hour["waveHeight"] = {"sg": 1.5, "meteo": 1.4} if known else {}
+    hour["currentSpeed"] = {"sg": 0.3, "meto": 0.3}
+    hour["currentDirection"] = {"sg": 180.0, "meto": 180.0}
+
+
+def odd_extras(hour: Document, number: int) -> None:
+    hour.update(gust="strong", waveHeight=["?"], currentSpeed={"sg": "fast"}, currentDirection={"sg": None})
+
+
+def encoded(codec: str) -> Behaviour:
+    return lambda exchange: exchange.send(exchange.body().decode().encode(codec))
+
+
+def with_headers(headers: str, kind: str = "application/json") -> Behaviour:
+    return lambda exchange: exchange.send(exchange.body(), headers=headers, kind=kind)
+
+
+def early_hints(exchange: Exchange) -> bool:
+    exchange.connection.sendall(b"HTTP/1.1 103 Early Hints\r\nLink: <x>; rel=preload\r\n\r\n")
+    return good(exchange)
+
+
+def reset_after_head(exchange: Exchange) -> bool:
+    exchange.send(b"", length=len(exchange.body()))
+    exchange.server.stopping.wait(0.05)
+    return exchange.reset()
+
+
 PAGE = "<!DOCTYPE html><html><body>Welcome to Marina WiFi. Please sign in.</body></html>"
 
 BEHAVIOURS: dict[str, Behaviour] = {
@@ -504,6 +547,31 @@ BEHAVIOURS: dict[str, Behaviour] = {
     "no-meta": changed(lambda document: document.pop("meta") and None),
     "odd-meta": changed(lambda document: document.update(meta=["?"])),
     "another-place": changed(another_place),
+    "nan-text": set_wind("windSpeed", lambda number: "NaN"),
+    "null-hour": changed(lambda document: document["hours"].insert(3, None)),
+    "hours-by-name": changed(lambda document: document.update(hours={"0": document["hours"][0]})),
+    "no-time": each_hour(lambda hour, _: hour.pop("time")),
+    "odd-names": each_hour(
+        lambda hour, _: hour["windSpeed"].update({"моdель ☃\u202e": 5.0, "x\r\nHost: y": 5.0, "": 5.0})
+    ),
+    "more-told": each_hour(more_told),
+    "odd-extras": each_hour(odd_extras),
+    "tomorrow": set_time(lambda time: (time + timedelta(days=1)).isoformat()),
+    "next-month": set_time(lambda time: (time + timedelta(days=30)).isoformat()),
+    "half-hours": set_time(lambda time: (time + timedelta(minutes=30)).isoformat()),
+    "bom": encoded("utf-8-sig"),
+    "utf-16": encoded("utf-16"),
+    "text-after": lambda exchange: exchange.send(exchange.body() + b"<!-- cached -->"),
+    "gzip-lie": with_headers("Content-Encoding: gzip\r\n"),
+    "brotli-lie": with_headers("Content-Encoding: br\r\n"),
+    "octets": with_headers("", kind="application/octet-stream"),
+    "no-type": with_headers("", kind=""),
+    "length-short": lambda exchange: exchange.send(exchange.body(), length=1000),
+    "early-hints": early_hints,
+    "reset-after-head": reset_after_head,
+    "login": lambda exchange: exchange.send(
+        PAGE, status="303 See Other", kind="text/html", headers="Location: http://login.invalid/?next=/\r\n"
+    ),
 }
 
 

@@ -318,5 +318,5 @@ def _text_table(account: dict[str, Any]) -> list[str]:
             cells = (cell(*figures) for figures in zip(speeds, errors, certain, strict=True))
             table.append(f"{twa:>9g}°" + "".join(f"{text:>10}" for text in cells))
     if not all(map(all, account["in_polar"])):
-        table.append("In brackets: too uncertain for the polar, which interpolates there.")
+        table.append("In brackets: too uncertain; the polar has what other angles and winds foretell there.")
     return table

@@ -40,6 +40,12 @@ def add_parser(commands: argparse._SubParsersAction[argparse.ArgumentParser]) ->
         help=f"{', '.join(ask.SERVICES)}, a GRIB or NetCDF file; repeat to average several (default: auto)",
     )
     parser.add_argument(
+        "--weights",
+        type=ask.parse_weights,
+        metavar="W,W",
+        help="weights of several forecasts in their mean, in the order of --forecast (default: equal)",
+    )
+    parser.add_argument(
         "--current", type=parse_path, metavar="FILE", help="GRIB or NetCDF file with the current"
     )
     parser.add_argument(
@@ -81,6 +87,7 @@ def run(arguments: argparse.Namespace) -> int:
             time,
             settings=settings,
             job=job,
+            weights=arguments.weights,
             current=arguments.current,
         )
         answer = replan(

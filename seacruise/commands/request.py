@@ -44,6 +44,8 @@ _OPTION_FIELDS = (
     "lattice",
     "safety_radius_nm",
     "safety_levels",
+    "percent_at_night",
+    "sea_state_percent",
     "beyond",
 )
 
@@ -133,6 +135,20 @@ def add_sail_options(parser: argparse.ArgumentParser) -> None:
         type=number_between(10, 150, "%"),
         metavar="PERCENT",
         help="share of the polar's speed that this crew reaches (default: 100)",
+    )
+    sail.add_argument(
+        "--percent-at-night",
+        type=number_between(10, 100, "%"),
+        metavar="PERCENT",
+        help="share of that speed which the crew keeps in the dark (default: 100)",
+    )
+    sail.add_argument(
+        "--sea-state",
+        dest="sea_state_percent",
+        type=number_between(0, 50, "%"),
+        metavar="PERCENT",
+        help="what each metre of waves above half a metre takes off her speed head to sea, where the "
+        "forecast has waves (default: 0; 8 is a rule of thumb)",
     )
     sail.add_argument(
         "--no-tacking",

@@ -8,7 +8,7 @@ from datetime import datetime
 from typing import TYPE_CHECKING
 
 from seacruise.commands import request as ask
-from seacruise.commands.common import add_format, cancellable_job, number_between, parse_time, say
+from seacruise.commands.common import add_format, cancellable_job, number_between, parse_path, parse_time, say
 
 if TYPE_CHECKING:
     from seacruise.weather.wind import Wind
@@ -47,6 +47,12 @@ def add_parser(commands: argparse._SubParsersAction[argparse.ArgumentParser]) ->
     )
     winds.add_argument("--truth", required=True, metavar="FILE", help="the wind that blows")
     winds.add_argument(
+        "--current",
+        type=parse_path,
+        metavar="FILE",
+        help="GRIB or NetCDF file with the current, forecast and met alike",
+    )
+    winds.add_argument(
         "--more-than",
         dest="tws_kn",
         type=number_between(0, 60, "kn"),
@@ -82,7 +88,15 @@ def run(arguments: argparse.Namespace) -> int:
     options, zones = ask.options_from(arguments), ask.zones_from(arguments, settings)
     with cancellable_job() as job:
         winds = [
-            fetch_wind_between([name], start, end, arguments.depart, settings=settings, job=job)
+            fetch_wind_between(
+                [name],
+                start,
+                end,
+                arguments.depart,
+                settings=settings,
+                job=job,
+                current=arguments.current,
+            )
             for name in (*arguments.forecast, arguments.truth)
         ]
         forecasts = _issued(winds[:-1], arguments.issued)

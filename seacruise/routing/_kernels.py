@@ -5,10 +5,13 @@ Everything here works on plain arrays. Names used throughout:
 ``wind``
     ``(u, v, t0, step, lat0, per_lat, lon0, per_lon)``: u, v ``(k, y, x)`` float32 [m/s], constant during
     each slice of ``step`` seconds from ``t0``; the last slice holds for ever. Where there is a current or a
-    limit of gusts or waves, two more: ``stream``, ``(u, v, lat0, per_lat, lon0, per_lon)`` of the current
-    in the same slices on a grid of its own, and ``danger`` ``(k, y, x)`` on the wind's grid, gusts and waves
-    as shares of what is allowed; either may have no slices. Most passages need neither, and looking for them
-    would cost a quarter of a search: kernels are compiled once for each kind.
+    limit of gusts or waves, or night or waves slow her down, there are three more, each of which may have no
+    slices: ``stream``, ``(u, v, lat0, per_lat, lon0, per_lon)`` of the current in the same slices on a grid
+    of its own; ``danger`` ``(k, y, x)`` on the wind's grid, gusts and waves as shares of what is allowed; and
+    ``knobs``, ``(ease, rough, motor_below, motor_speed)``: the share of her speed that the night leaves and
+    the one that waves take head to sea, both ``(k, y, x)``, and the engine, which neither slows down. Most
+    passages need none of them, and looking for them would cost a quarter of a search: kernels are compiled
+    once for each kind.
 ``speeds``
     ``(table, per_tws)``: ``(w, c)`` float32 boat speed [m/s]; rows by TWS in steps of ``1 / per_tws``,
     columns by the cosine of the TWA from -1 to 1; negative where the limits forbid to sail.
@@ -20,6 +23,9 @@ import numpy as np
 
 from seacruise.compiled import chosen, inlined, kernel
 from seacruise.sea._prisms import closed
+
+LEAST_SHARE = 0.4
+"""`seacruise.yacht.knobs.LEAST_SHARE`, which a test holds equal."""
 
 STILL = 1e-6
 """Slower than this [m/s] is not moving."""
@@ -69,23 +75,39 @@ def cell_at(lat, lon, wind):
 
 
 @kernel
-def made_good(u, v, set_east, set_north, east, north, speeds):
+def eased_speed(u, v, east, north, speeds, ease, rough, below, motor_speed):
+    """`boat_speed` as night and waves leave it, see `seacruise.yacht.knobs`."""
+    speed = boat_speed(u, v, east, north, speeds)
+    if speed < 0.0:
+        return speed
+    if rough > 0.0:
+        tws = np.sqrt(u * u + v * v)
+        ahead = 1.0 - (u * east + v * north) / tws if tws > 1e-9 else 0.0
+        ease *= max(1.0 - rough * ahead * ahead * 0.25, LEAST_SHARE)
+    speed *= ease
+    return max(speed, motor_speed) if speed < below else speed
+
+
+@kernel
+def made_good(u, v, set_east, set_north, east, north, speeds, ease, rough, below, motor_speed):
     """Speed over ground [m/s] on a course made good, through water that moves.
 
     She steers into the current so far that what is left of her speed lies on the course. The wind u, v is
     the one felt by the drifting water; sought is the greatest r with ``|r d - c| = speed(r d - c)``, where d
     is the course and c the current. 0 where she cannot stem it; negative where the limits forbid to sail.
     """
-    straight = boat_speed(u, v, east, north, speeds)
+    straight = eased_speed(u, v, east, north, speeds, ease, rough, below, motor_speed)
     if straight < 0.0:
         return -1.0
+    if set_east == 0.0 and set_north == 0.0:
+        return straight
     r = straight + set_east * east + set_north * north
     for _ in range(20):
         wx, wy = r * east - set_east, r * north - set_north
         need = np.sqrt(wx * wx + wy * wy)
         if need < 1e-9:
             return max(r, 0.0)
-        have = boat_speed(u, v, wx / need, wy / need, speeds)
+        have = eased_speed(u, v, wx / need, wy / need, speeds, ease, rough, below, motor_speed)
         if have < 0.0:
             return -1.0
         slope = (wx * east + wy * north) / need
@@ -101,13 +123,13 @@ def made_good(u, v, set_east, set_north, east, north, speeds):
     for c in range(speeds[0].shape[1]):
         row = min(int(np.sqrt(u * u + v * v) * speeds[1]) + 1, speeds[0].shape[0] - 1)
         most = max(most, speeds[0][row, c])
-    high = most + drift
+    high = max(most, motor_speed) + drift
     low = high
     while low > 0.0:
         low -= 0.05
         wx, wy = low * east - set_east, low * north - set_north
         need = max(np.sqrt(wx * wx + wy * wy), 1e-9)
-        if boat_speed(u, v, wx / need, wy / need, speeds) >= need:
+        if eased_speed(u, v, wx / need, wy / need, speeds, ease, rough, below, motor_speed) >= need:
             break
         high = low
     if low <= 0.0:
@@ -116,7 +138,7 @@ def made_good(u, v, set_east, set_north, east, north, speeds):
         r = 0.5 * (low + high)
         wx, wy = r * east - set_east, r * north - set_north
         need = max(np.sqrt(wx * wx + wy * wy), 1e-9)
-        if boat_speed(u, v, wx / need, wy / need, speeds) >= need:
+        if eased_speed(u, v, wx / need, wy / need, speeds, ease, rough, below, motor_speed) >= need:
             low = r
         else:
             high = r
@@ -143,14 +165,19 @@ def speed_in(k, cell, east, north, wind, speeds):
         return boat_speed(uu, vv, east, north, speeds)
 
     def in_stream(k, cell, east, north, wind, speeds):
-        stream, danger = wind[8], wind[9]
+        stream, danger, knobs = wind[8], wind[9], wind[10]
         if danger.shape[0] > 0 and _look_up(danger, k, cell[0]) > 1.0:
             return -1.0
         uu, vv = _look_up(wind[0], k, cell[0]), _look_up(wind[1], k, cell[0])
-        if stream[0].shape[0] == 0:
-            return boat_speed(uu, vv, east, north, speeds)
-        cu, cv = _look_up(stream[0], k, cell[1]), _look_up(stream[1], k, cell[1])
-        return made_good(uu - cu, vv - cv, cu, cv, east, north, speeds)
+        cu = cv = rough = 0.0
+        ease = 1.0
+        if stream[0].shape[0] > 0:
+            cu, cv = _look_up(stream[0], k, cell[1]), _look_up(stream[1], k, cell[1])
+        if knobs[0].shape[0] > 0:
+            ease = _look_up(knobs[0], k, cell[0])
+        if knobs[1].shape[0] > 0:
+            rough = _look_up(knobs[1], k, cell[0])
+        return made_good(uu - cu, vv - cv, cu, cv, east, north, speeds, ease, rough, knobs[2], knobs[3])
 
     return in_air if len(wind) == 8 else in_stream
 

@@ -10,6 +10,9 @@ import numpy as np
 
 from seacruise.compiled import kernel
 
+LEAST_SHARE = 0.4
+"""`seacruise.yacht.knobs.LEAST_SHARE`, which a test holds equal."""
+
 
 @kernel
 def _bracket(axis, value):
@@ -42,9 +45,14 @@ def _meet(grid, t, lat, lon):
 
 
 @kernel
-def _go(polar, tws, twa, motor_below, motor_speed):
-    """Speed [m/s] by a table ``(speeds (w, a), per_tws, per_twa)``, and whether the engine gives it."""
+def _go(polar, tws, twa, engine):
+    """Speed [m/s] by a table ``(speeds (w, a), per_tws, per_twa)``, and whether the engine gives it.
+
+    ``engine`` is ``(below, speed, ease, rough)``: when it starts and what it gives [m/s], the share of the
+    speed that the night leaves here and now, and the one that waves take head to sea.
+    """
     table, per_tws, per_twa = polar
+    motor_below, motor_speed, ease, rough = engine
     x = min(tws * per_tws, table.shape[0] - 1.000001)
     y = min(twa * per_twa, table.shape[1] - 1.000001)
     i, j = int(x), int(y)
@@ -52,13 +60,14 @@ def _go(polar, tws, twa, motor_below, motor_speed):
     sail = (table[i, j] * (1 - g) + table[i, j + 1] * g) * (1 - f) + (
         table[i + 1, j] * (1 - g) + table[i + 1, j + 1] * g
     ) * f
+    sail *= ease * max(1.0 - rough * (1.0 + np.cos(np.radians(twa))) ** 2 / 4.0, LEAST_SHARE)
     if sail < motor_below and motor_speed > sail:
         return motor_speed, True
     return sail, False
 
 
 @kernel
-def _steer(polar, tws, twd, course, set_east, set_north, below, motor_speed):
+def _steer(polar, tws, twd, course, set_east, set_north, engine):
     """Heading [degrees] and speed made good [m/s] on a course in moving water; wind as the water feels it.
 
     Headings are tried degree by degree within a right angle of the course; where the yacht's drift across
@@ -70,15 +79,13 @@ def _steer(polar, tws, twd, course, set_east, set_north, below, motor_speed):
     best, heading = 0.0, course
     low_drift = 0.0
     for degree in range(-90, 91):
-        speed, _ = _go(polar, tws, abs((twd - course - degree + 180.0) % 360.0 - 180.0), below, motor_speed)
+        speed, _ = _go(polar, tws, abs((twd - course - degree + 180.0) % 360.0 - 180.0), engine)
         drift = speed * np.sin(np.radians(degree)) + across
         if degree > -90 and low_drift * drift <= 0.0:
             low, high, at_low = degree - 1.0, float(degree), low_drift
             for _ in range(14):
                 middle = 0.5 * (low + high)
-                speed, _ = _go(
-                    polar, tws, abs((twd - course - middle + 180.0) % 360.0 - 180.0), below, motor_speed
-                )
+                speed, _ = _go(polar, tws, abs((twd - course - middle + 180.0) % 360.0 - 180.0), engine)
                 here = speed * np.sin(np.radians(middle)) + across
                 if at_low * here <= 0.0:
                     high = middle
@@ -101,18 +108,24 @@ def _sail(polar, air, water, course, engine, t, lat, lon):
     made, speed, motor, tws, twd, heading, east, north
         Speed over ground and through water [m/s], engine, wind over ground, course steered, and current.
     """
-    below, motor_speed = engine
     east, north = _meet(air, t, lat, lon)
+    below, motor_speed, light, waves = engine
+    ease, rough = 1.0, 0.0
+    if light[3].shape[0] > 0:
+        ease, _ = _meet(light, t, lat, lon)
+    if waves[3].shape[0] > 0:
+        rough, _ = _meet(waves, t, lat, lon)
+    now = (below, motor_speed, ease, rough)
     tws, twd, twa = _relative(east, north, course)
     set_east = set_north = 0.0
     if water[3].shape[0] > 0:
         set_east, set_north = _meet(water, t, lat, lon)
     if set_east == 0.0 and set_north == 0.0:
-        speed, motor = _go(polar, tws, twa, below, motor_speed)
+        speed, motor = _go(polar, tws, twa, now)
         return speed, speed, motor, tws, twd, course, 0.0, 0.0
     felt, felt_from, _ = _relative(east - set_east, north - set_north, course)
-    heading, made = _steer(polar, felt, felt_from, course, set_east, set_north, below, motor_speed)
-    speed, motor = _go(polar, felt, abs((felt_from - heading + 180.0) % 360.0 - 180.0), below, motor_speed)
+    heading, made = _steer(polar, felt, felt_from, course, set_east, set_north, now)
+    speed, motor = _go(polar, felt, abs((felt_from - heading + 180.0) % 360.0 - 180.0), now)
     return made, speed, motor, tws, twd, heading, set_east, set_north
 
 
@@ -154,7 +167,9 @@ def sail_legs(
     polars
         Tables for sailing straight and for the hull, see `_go`.
     engine
-        ``(below, speed)`` [m/s]; below 0 for no engine.
+        ``(below, speed, light, waves)``: when it starts, below 0 for no engine, and what it gives [m/s]; and
+        grids, see `_meet`, of the share of her speed that the night leaves and of the one that waves take
+        head to sea, without times where neither does.
     pauses
         Seconds for a tack, a gybe, and each degree of a turn; she does not get on meanwhile.
     step, shortest, patience

@@ -21,6 +21,15 @@ def keys(i: Whole, j: Whole) -> Whole:
 
 def unique(i: Whole, j: Whole) -> tuple[Whole, Whole]:
     """Positions without repetition, sorted by row, then by column."""
+    if i.size == 0:
+        return i, j
+    i0, j0 = int(i.min()), int(j.min())
+    shape = (int(j.max()) - j0 + 1, int(i.max()) - i0 + 1)
+    if shape[0] * shape[1] <= 16 * i.size:
+        marked = np.zeros(shape, dtype=bool)
+        marked[j - j0, i - i0] = True
+        rows, columns = np.nonzero(marked)
+        return columns + i0, rows + j0
     found = np.sort(keys(i, j))
     # Sorting beats np.unique, which hashes first.
     found = found[np.append(True, found[1:] != found[:-1])] if found.size else found

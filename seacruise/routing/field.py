@@ -8,9 +8,11 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
+from seacruise.sun import sun_altitude_deg
 from seacruise.units import MS_PER_KNOT
 from seacruise.weather.wind import Current, Flow, Wind
 from seacruise.yacht.hull import hull_speed
+from seacruise.yacht.knobs import CALM_SEA_M, night_share
 from seacruise.yacht.polar import Polar
 
 TOP_TWS: Final = 40.0
@@ -59,7 +61,7 @@ class WindField:
 _NONE: Final = np.empty((0, 2, 2), dtype=np.float32)
 STILL_WATER: Final = (_NONE, _NONE, 0.0, 0.0, 0.0, 0.0)
 NO_DANGER: Final = _NONE
-"""The last two of ``arrays`` where there is neither a current nor a limit of gusts or waves."""
+"""Parts of ``arrays`` where there is no current, and no limit of gusts or waves."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,6 +75,34 @@ class SeaLimits:
 NO_LIMITS: Final = SeaLimits()
 
 
+@dataclass(frozen=True, slots=True)
+class Knobs:
+    """What night and waves take off her speed, see `seacruise.yacht.knobs`.
+
+    Attributes
+    ----------
+    at_night
+        Share of the speed that the crew keeps in the dark.
+    per_metre
+        Share lost head to sea for each metre of waves above what a polar has in it.
+    below, motor_speed
+        The engine [m/s], which neither of them slows down; it starts below the first.
+    """
+
+    at_night: float = 1.0
+    per_metre: float = 0.0
+    below: float = -1.0
+    motor_speed: float = 0.0
+
+    @property
+    def turned(self) -> bool:
+        """Whether anything slows her down."""
+        return self.at_night < 1.0 or self.per_metre > 0.0
+
+
+NO_KNOBS: Final = Knobs()
+
+
 def wind_field(
     wind: Wind,
     *,
@@ -80,6 +110,7 @@ def wind_field(
     since: float | None = None,
     current: Current | None = None,
     limits: SeaLimits = NO_LIMITS,
+    knobs: Knobs = NO_KNOBS,
 ) -> WindField:
     """Interpolate wind, current, gusts and waves to the middle of even slices of time.
 
@@ -93,6 +124,8 @@ def wind_field(
         Where the water moves; beyond its own times and edges the nearest value is taken.
     limits
         Gusts and waves in which nobody sails; where the forecast has none they forbid nothing.
+    knobs
+        What night and waves take off her speed.
     """
     begin, end = float(wind.time[0]), float(wind.time[-1])
     horizon = end
@@ -117,8 +150,9 @@ def wind_field(
     tws = np.hypot(u, v)
     danger = _danger(wind, limits, middles)
     arrays: tuple[Any, ...] = (u, v, begin, step, *_frame(wind))
-    if current is not None or danger is not NO_DANGER:
-        arrays = (*arrays, stream, danger)
+    slowed = _slowed(wind, knobs, middles)
+    if current is not None or danger is not NO_DANGER or knobs.turned:
+        arrays = (*arrays, stream, danger, slowed)
     return WindField(arrays, horizon, float(tws.max()), float(tws.mean()), drift)
 
 
@@ -142,6 +176,19 @@ def _at_times(flow: Flow, grid: NDArray[np.float32], times: NDArray[np.float64])
         if at.shape[axis] == 1:
             at = np.repeat(at, 2, axis=axis)
     return at
+
+
+def _slowed(wind: Wind, knobs: Knobs, times: NDArray[np.float64]) -> tuple[Any, Any, float, float]:
+    """Share that the night leaves and share that waves take head to sea, and the engine."""
+    ease = rough = _NONE
+    if knobs.at_night < 1.0:
+        lat, lon = (axis if axis.size > 1 else np.repeat(axis, 2) for axis in (wind.lat, wind.lon))
+        altitude = sun_altitude_deg(times[:, None, None], lat[:, None], lon)
+        ease = night_share(altitude, at_night=knobs.at_night).astype(np.float32)
+    if knobs.per_metre > 0.0 and wind.wave is not None:
+        rough = _at_times(wind, wind.wave, times)
+        rough = np.maximum(rough - np.float32(CALM_SEA_M), 0.0) * np.float32(knobs.per_metre)
+    return ease, rough, knobs.below, knobs.motor_speed
 
 
 def _danger(wind: Wind, limits: SeaLimits, times: NDArray[np.float64]) -> NDArray[np.float32]:
@@ -172,6 +219,8 @@ class Handling:
         Gusts and waves in which she does not sail.
     pauses
         Seconds that a tack costs, a gybe, and each degree of a turn.
+    at_night, per_metre
+        What night and waves leave of her speed and take off it, see `Knobs`.
     """
 
     tacking: bool = True
@@ -181,6 +230,14 @@ class Handling:
     max_wind: float | None = None
     limits: SeaLimits = NO_LIMITS
     pauses: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    at_night: float = 1.0
+    per_metre: float = 0.0
+
+    @property
+    def knobs(self) -> Knobs:
+        """What slows her down under sail, and the engine, which it does not."""
+        below = -1.0 if self.motor_below is None else self.motor_below
+        return Knobs(self.at_night, self.per_metre, below, self.motor_speed if below > 0.0 else 0.0)
 
     def within(self, share: float) -> Handling:
         """Give the same with all limits of wind, gusts and waves reduced to a share."""
@@ -222,9 +279,13 @@ def speed_table(polar: Polar, handling: Handling) -> SpeedTable:
     else:
         table = polar.speed(tws[:, None], twa[None, :])
     table = table * handling.share
+    top = table.max(axis=1)
     if handling.motor_below is not None:
-        table = np.where(table < handling.motor_below, np.maximum(table, handling.motor_speed), table)
-    top = np.maximum.accumulate(table.max(axis=1))
+        motored = np.where(table < handling.motor_below, np.maximum(table, handling.motor_speed), table)
+        top = motored.max(axis=1)
+        # Where night or waves slow her down first, the kernels start the engine.
+        table = table if handling.knobs.turned else motored
+    top = np.maximum.accumulate(top)
     if handling.max_wind is not None:
         table[tws > handling.max_wind + 1e-9] = -1.0
     return SpeedTable((np.ascontiguousarray(table, dtype=np.float32), PER_TWS), top)
@@ -242,6 +303,8 @@ def handling_in_knots(
     tack_min: float = 0.0,
     gybe_min: float = 0.0,
     turn_min_per_10_deg: float = 0.0,
+    percent_at_night: float = 100.0,
+    sea_state_percent: float = 0.0,
 ) -> Handling:
     """Make `Handling` of the figures a sailor gives; minutes for manoeuvres."""
 
@@ -256,4 +319,6 @@ def handling_in_knots(
         max_wind=speed(max_wind_kn),
         limits=SeaLimits(speed(max_gust_kn), max_wave_m),
         pauses=(tack_min * 60.0, gybe_min * 60.0, turn_min_per_10_deg * 6.0),
+        at_night=percent_at_night / 100.0,
+        per_metre=sea_state_percent / 100.0,
     )

@@ -115,6 +115,8 @@ class Question:
         Positions on the water [degrees].
     departure
         Seconds since 1970.
+    clearance_nm
+        What ``sea`` keeps off the shores already [nm]: told when that leaves no way.
     """
 
     sea: Sea
@@ -126,6 +128,7 @@ class Question:
     departure: float
     zones: Zones = NO_ZONES
     current: Current | None = None
+    clearance_nm: float | None = None
 
     def winds(self, slice_s: float) -> WindField:
         """Cut wind, current and limits into slices of time, from the departure on."""
@@ -135,6 +138,7 @@ class Question:
             since=self.departure,
             current=self.current,
             limits=self.how.handling.limits,
+            knobs=self.how.handling.knobs,
         )
 
     @property
@@ -381,6 +385,12 @@ def _turning(
 
 def _why_not(asked: Question, grid: Lattice) -> NoPassageError:
     """Find out why nothing was found: take the obstacles away one by one."""
+    if not connected(grid) and asked.clearance_nm is not None:
+        return NoPassageError(
+            f"There is no way by water that keeps {asked.clearance_nm:g} nm off every shore; allow less "
+            "clearance (--shore-clearance) or choose other ports.",
+            reason="no-water-path",
+        )
     if not connected(grid):
         return NoPassageError(
             "There is no way by water between the two ports in the area searched; choose other ports, or "

@@ -135,6 +135,10 @@ def _pieces(asked: Question, line: Line) -> list[_Piece]:
     direct = polar.speed(tws, twa)
     with np.errstate(divide="ignore", invalid="ignore"):
         gain = np.where(other > 0.0, np.where(direct > 0.0, made / direct, np.inf), 1.0)
+    handling = asked.how.handling
+    if handling.motor_below is not None:
+        # The engine takes her there straight, faster than boards would.
+        gain[made * handling.share < min(handling.motor_below, handling.motor_speed)] = 1.0
     courses = np.radians([twd - first, twd - second])
     speeds = np.array([polar.speed(tws, first), polar.speed(tws, second)])
     headings = np.array([np.sin(courses) * speeds + drift[0], np.cos(courses) * speeds + drift[1]])

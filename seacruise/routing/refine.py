@@ -37,6 +37,10 @@ CORRIDOR_SIDES: Final = 6.0
 CORRIDOR_LEVELS: Final = 5
 """The second lattice: spacing [nm], courses, those of its finest levels, half-width in spacings, levels."""
 
+STRAIGHT: Final = 48.0
+"""The middle of the corridor may be straightened by this part of its half-width: each of its lines is looked
+at on every level, and a first search has a short one from island to island."""
+
 STEPS_NM: Final = (4.0, 2.0, 1.0, 0.5, 0.25, 0.1, 0.05)
 LEGS_NM: Final = (16.0, 12.0, 10.0, 10.0, 10.0, 10.0, 10.0)
 """Trial moves of the waypoints, and the longest legs while they are made [nm]."""
@@ -170,9 +174,14 @@ def in_corridor(
     line, lattice, settled
         ``None`` for the line when the corridor turned out to be closed.
     """
+    import shapely
+
     lat, lon = from_mercator(line.x, line.y)
     per_nm = METRES_PER_NM / float(scale(lat.mean()))
-    along = np.stack([line.x[:-1], line.y[:-1], line.x[1:], line.y[1:]], axis=1)
+    x, y = shapely.get_coordinates(
+        shapely.simplify(shapely.linestrings(line.x, line.y), width_nm * per_nm / STRAIGHT)
+    ).T
+    along = np.stack([x[:-1], y[:-1], x[1:], y[1:]], axis=1)
     area = Area("corridor", along, width_nm * per_nm)
     start, end = ((float(lat[k]), float(lon[k])) for k in (0, -1))
     lattice = lattices.build(

@@ -18,8 +18,11 @@ from numpy.typing import NDArray
 from seacruise.geodesy import angle_between_deg, from_mercator, rhumb_course_deg, rhumb_distance_m
 from seacruise.routing.manoeuvres import GAIN, Course, count_turns
 from seacruise.sea import Sea
+from seacruise.sun import sun_altitude_deg
 from seacruise.units import METRES_PER_NM, SECONDS_PER_HOUR
+from seacruise.weather.wind import Wind
 from seacruise.yacht.hull import hull_speed
+from seacruise.yacht.knobs import CALM_SEA_M, night_share
 from seacruise.yacht.polar import Polar
 
 if TYPE_CHECKING:
@@ -35,6 +38,10 @@ LAND_STEP_M: Final = 0.05 * METRES_PER_NM
 
 SHORTEST_STEP_S: Final = 360.0 / 16
 """Where her speed changes by more than a tenth in a step, it is halved down to this [s]."""
+
+LIGHT_STEP_S: Final = 600.0
+MOST_LIGHT_S: Final = 20 * 86_400.0
+"""Steps in which the light changes, and how long it is known after the departure [s]."""
 
 MOST_S: Final = 30 * 86_400.0
 """A leg that takes longer has no end: she is becalmed [s]."""
@@ -118,8 +125,9 @@ def resail(asked: Question, course: Course, *, fuel_rate_l_h: float) -> Resailed
     hull = course.short_tacked & handling.tacking
     straight = _table(asked, hull=False)
     engine = (-1.0, 0.0) if handling.motor_below is None else (handling.motor_below, handling.motor_speed)
+    slowed = (*engine, _light(asked), _waves(asked))
     water = asked.current
-    still = (wind.time[:0], wind.lat, wind.lon, wind.u[:0], wind.v[:0])
+    still = _nothing(wind)
     rows, at, arrived, paused = _resail.sail_legs(
         asked.departure,
         lat,
@@ -130,7 +138,7 @@ def resail(asked: Question, course: Course, *, fuel_rate_l_h: float) -> Resailed
         (wind.time, wind.lat, wind.lon, wind.u, wind.v),
         still if water is None else (water.time, water.lat, water.lon, water.u, water.v),
         (straight, _table(asked, hull=True) if hull.any() else straight),
-        engine,
+        slowed,
         handling.pauses,
         STEP_S,
         SHORTEST_STEP_S,
@@ -159,6 +167,34 @@ def resail(asked: Question, course: Course, *, fuel_rate_l_h: float) -> Resailed
         motor_s=motor_s,
         pause_s=float(paused),
     )
+
+
+_Grid = tuple[Array, Array, Array, NDArray[np.float32], NDArray[np.float32]]
+
+
+def _nothing(wind: Wind) -> _Grid:
+    """Grid without times: there is no such thing on this passage."""
+    return wind.time[:0], wind.lat, wind.lon, wind.u[:0], wind.v[:0]
+
+
+def _light(asked: Question) -> _Grid:
+    """Share of her speed that the night leaves, on a grid of its own: dusk is over in less than an hour."""
+    at_night, wind = asked.how.handling.at_night, asked.wind
+    if at_night >= 1.0:
+        return _nothing(wind)
+    times = asked.departure + np.arange(0.0, MOST_LIGHT_S, LIGHT_STEP_S)
+    lat, lon = (np.linspace(axis[0] - 1e-6, axis[-1], 9) for axis in (wind.lat, wind.lon))
+    share = night_share(sun_altitude_deg(times[:, None, None], lat[:, None], lon), at_night=at_night)
+    return times, lat, lon, share.astype(np.float32), share.astype(np.float32)
+
+
+def _waves(asked: Question) -> _Grid:
+    """Share that waves take head to sea, on the forecast's grid."""
+    per_metre, wind = asked.how.handling.per_metre, asked.wind
+    if per_metre <= 0.0 or wind.wave is None:
+        return _nothing(wind)
+    lost = (np.maximum(wind.wave - CALM_SEA_M, 0.0) * per_metre).astype(np.float32)
+    return wind.time, wind.lat, wind.lon, lost, lost
 
 
 def _within_limits(asked: Question, rows: Array) -> bool:

@@ -6,7 +6,7 @@ usual wind is worth less and less the longer the passage lasts beyond it, and sa
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from datetime import datetime
 from typing import Any, Final, Literal, get_args
@@ -65,6 +65,15 @@ def extend(wind: Wind, mode: Beyond, until: datetime | None = None) -> Wind:
         }
     members = tuple(_appended(one, last) for one in wind.members)
     return replace(_appended(wind, last), members=members)
+
+
+def extend_each(winds: Sequence[tuple[Wind, Beyond]]) -> list[Wind]:
+    """Extend many winds, each distinct one once: an ensemble is megabytes, and many requests share it."""
+    extended: dict[tuple[int, Beyond], Wind] = {}
+    for wind, mode in winds:
+        if (id(wind), mode) not in extended:
+            extended[id(wind), mode] = extend(wind, mode)
+    return [extended[id(wind), mode] for wind, mode in winds]
 
 
 def _appended(wind: Wind, last: Mapping[str, _Grid]) -> Wind:

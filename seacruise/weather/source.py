@@ -95,6 +95,8 @@ def fetch_wind(
     CancelledError
     """
     kinds = _kinds(names)
+    if {"auto", "stormglass"} & set(kinds):
+        settings = settings.with_key()
     ask = _Ask(start, end, departure, settings, job, is_water, now or datetime.now(UTC), margin_deg)
     # a mistake in what is at hand must not cost requests
     shares(len(kinds), weights)
@@ -183,7 +185,7 @@ def horizon(
 
 def _horizon(kind: str, name: str, settings: Settings, now: datetime) -> tuple[datetime, datetime]:
     if kind == "auto":
-        kind = "stormglass" if settings.stormglass_key else "open-meteo"
+        kind = "stormglass" if settings.with_key().stormglass_key else "open-meteo"
     if kind == "sample":
         return VALID_FROM, VALID_TO
     if kind in ("practice", "file"):
@@ -252,7 +254,7 @@ def weather_info(settings: Settings, now: datetime | None = None) -> WeatherInfo
     from seacruise.weather import metno, openmeteo
     from seacruise.weather.shelf import Shelf
 
-    now = now or datetime.now(UTC)
+    now, settings = now or datetime.now(UTC), settings.with_key()
     try:
         size = settings.database.stat().st_size
     except OSError:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 import subprocess
 import sys
@@ -31,7 +32,7 @@ def cache(tmp_path: Path) -> WeatherCache:
 
 
 def kept(cache: WeatherCache | Memory, lat: float, lon: float, service: str) -> CachedAnswer | None:
-    found = cache.around((lat, lon, lat, lon), service, 0.0)
+    found = cache.around((lat, lon, lat, lon), service, -math.inf)
     return next(iter(cache.read(found).values()), None)
 
 

@@ -41,7 +41,14 @@ LEAST_POINTS: Final = 3.0
 """Points that a figure must stand on, weighed by their distance."""
 
 WORST_ERROR: Final = 0.15
-"""A figure less certain than this share of it is left out of a polar: interpolation knows better."""
+"""A figure less certain than this share of it is left out of a polar: its neighbours know better."""
+
+_LEAST_FIGURES: Final = 2
+_HALF_SPEED_WIND: Final = 5.0
+_HOLD: Final = 10.0
+_TURNS: Final = 60
+"""For filling gaps: figures that an angle or a wind needs, wind of half the greatest speed [m/s], how
+strongly the usual growth with the wind is held to [s2/m2], and turns of the fit."""
 
 _ALWAYS_CERTAIN: Final = 0.05
 """Errors below this are none [m/s]: dead into the wind 0 is 0."""
@@ -85,24 +92,56 @@ class Fitted:
         return Fitted(tws, twa, *parts)
 
     def polar(self, name: str, *, source: str = "") -> Polar:
-        """Make the polar of the figures that are certain enough.
+        """Make the polar: figures that are certain enough, and the gaps between them filled.
 
-        Winds and angles without any are left out.
+        A wind speed that was met on some courses only would leave the others to guesses: below its least
+        angle a table falls to nothing. So a gap gets the product of what its angle and its wind speed have
+        in common with the rest, see `filled`. Winds and angles with fewer than two figures are left out.
 
         Raises
         ------
         InputError
             There are figures at fewer than two winds or two angles.
         """
-        known = self.certain
-        angles, winds = known.any(axis=1), known.any(axis=0)
+        angles, winds = self._sailed()
         if angles.sum() < 2 or winds.sum() < 2:
             raise InputError(
                 f"The log has steady sailing at {winds.sum()} wind speeds and {angles.sum()} angles only; "
                 "a polar needs two of each: give more logs, or a polar to start from (--prior)."
             )
-        table = np.where(known, self.speed, np.nan)[np.ix_(angles, winds)]
-        return Polar(name, self.tws[winds], self.twa[angles], table, source=source)
+        part = np.ix_(angles, winds)
+        kept = Fitted(
+            self.tws[winds], self.twa[angles], *(t[part] for t in (self.speed, self.error, self.count))
+        )
+        return Polar(name, kept.tws, kept.twa, kept.filled(), source=source)
+
+    def _sailed(self) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+        """Which angles and winds have two certain figures or more."""
+        known = self.certain
+        return known.sum(axis=1) >= _LEAST_FIGURES, known.sum(axis=0) >= _LEAST_FIGURES
+
+    def filled(self) -> Array:
+        """Give the speeds ``(a, w)`` [m/s] with those that are not certain foretold from the others.
+
+        Foretold is a product of a factor of the angle and one of the wind, fitted to the certain figures by
+        least squares in turn; factors of winds are held to ``w / (w + 5)`` where little speaks for them.
+        NaN at angles without any.
+        """
+        known = self.certain
+        if known.all():
+            return self.speed
+        speed = np.where(known, self.speed, 0.0)
+        weight = np.where(known, 1.0 / (np.nan_to_num(self.error) ** 2 + (0.05 * speed) ** 2 + 1e-4), 0.0)
+        usual = self.tws / (self.tws + _HALF_SPEED_WIND)
+        by_wind = usual.copy()
+        by_angle = np.zeros(self.twa.size)
+        for _ in range(_TURNS):
+            by_angle = (weight * speed) @ by_wind / np.maximum(weight @ by_wind**2, 1e-12)
+            held = _HOLD * float(by_angle @ by_angle) / max(by_angle.size, 1)
+            by_wind = (by_angle @ (weight * speed) + held * usual) / (by_angle**2 @ weight + held)
+        # An angle that was never sailed has nothing to be foretold from.
+        by_angle[~known.any(axis=1)] = np.nan
+        return np.where(known, self.speed, by_angle[:, np.newaxis] * by_wind)
 
 
 def nodes(points: Points) -> tuple[Array, Array]:

@@ -42,9 +42,12 @@ class _State:
 
     def __init__(self, gatherer: Gatherer, variation: float) -> None:
         # pynmea2 is loaded by whoever reads a log, not by every plan.
-        from pynmea2 import NMEASentence
+        import pynmea2
 
-        self.parse: Callable[[str], Any] = NMEASentence.parse
+        # Its sentences, made of their fields: its own parser would look for kind and checksum once more.
+        self.kinds: dict[bytes, Callable[[str, str, list[str]], Any]] = {
+            kind: getattr(pynmea2, kind.decode()) for kind in _READERS
+        }
         self.rows = gatherer
         self.day: float = nan
         self.variation = variation
@@ -127,7 +130,8 @@ def _is_right(sentence: bytes) -> bool | None:
 
 
 def _take(sentence: bytes, policy: Checksum, state: _State, tally: Tally) -> None:
-    reader = _READERS.get(sentence[2:5])
+    kind = sentence[2:5]
+    reader = _READERS.get(kind)
     if reader is None or sentence[5:6] != b",":
         tally.skipped["of other kinds"] += 1
         return
@@ -141,8 +145,8 @@ def _take(sentence: bytes, policy: Checksum, state: _State, tally: Tally) -> Non
             return
     body = sentence.partition(b"*")[0].rstrip()
     try:
-        # Without its checksum: that was judged above, and pynmea2 would refuse what the policy lets pass.
-        message = state.parse("$" + body.decode("ascii"))
+        fields = body[6:].decode("ascii").split(",")
+        message = state.kinds[kind](body[:2].decode("ascii"), kind.decode("ascii"), fields)
         counted = reader(message, state)
     except (ValueError, TypeError, AttributeError, ArithmeticError, IndexError):
         tally.skipped["garbled"] += 1
