@@ -23,11 +23,13 @@ from seacruise.model import (
     Waypoint,
 )
 from seacruise.units import METRES_PER_NM, MS_PER_KNOT, SECONDS_PER_HOUR
+from seacruise.yacht.sails import sail_at
 
 if TYPE_CHECKING:
     from seacruise.routing.find import Fastest, Ledger, Question
     from seacruise.routing.manoeuvres import Course
     from seacruise.routing.resail import Resailed
+    from seacruise.yacht.polar import Polar
 
 TELL_SNAP_NM: Final = 0.1
 """A port moved farther than this to reach water is worth a sentence [nm]."""
@@ -91,7 +93,7 @@ class Answer:
             arrival=self.departure + timedelta(seconds=self.seconds),
             distance_nm=float(legs.sum()),
             direct_distance_nm=float(great_circle_m(start.lat, start.lon, end.lat, end.lon)) / METRES_PER_NM,
-            waypoints=_waypoints(sailed, self.course.short_tacked, legs),
+            waypoints=_waypoints(sailed, self.course.short_tacked, legs, self.request.yacht),
             tacks=tacks,
             gybes=gybes,
             course_changes=legs.size - 1,
@@ -136,6 +138,22 @@ class Answer:
             found_s=self.seconds,
         )
 
+    def _limits_without_forecast(self) -> list[str]:
+        """Say which limits nobody could keep, the forecast being silent on what they limit."""
+        wind, limits = self.request.wind, self.asked.how.handling.limits
+        unknown = [
+            what
+            for what, grid, limit in (
+                ("gusts", wind.gust, limits.max_gust),
+                ("waves", wind.wave, limits.max_wave),
+            )
+            if limit is not None and grid is None
+        ]
+        if not unknown:
+            return []
+        missing = f"no {unknown[0]}" if len(unknown) == 1 else "neither gusts nor waves"
+        return [f"The forecast has {missing}: what you do not allow of them was not looked at."]
+
     def _notices(self, legs: NDArray[np.float64]) -> tuple[str, ...]:
         """Sentences that a sailor must read with the passage."""
         notice = self.request.wind.forecast.notice
@@ -169,6 +187,7 @@ class Answer:
             said.append(
                 f"{self.sailed.turns} tacks and gybes are needed; the water is too narrow for only {most}."
             )
+        said.extend(self._limits_without_forecast())
         if self.request.zones:
             said.append(f"{len(self.request.zones.zones)} zones of your layers are kept clear of.")
         said.extend(f"The passage touches the closed zone {name}." for name in self.sailed.zones_entered)
@@ -182,7 +201,7 @@ class Answer:
 
 
 def _waypoints(
-    sailed: Resailed, short_tacked: NDArray[np.bool_], legs: NDArray[np.float64]
+    sailed: Resailed, short_tacked: NDArray[np.bool_], legs: NDArray[np.float64], yacht: Polar
 ) -> tuple[Waypoint, ...]:
     points = []
     for k, a in enumerate(sailed.at.tolist()):
@@ -211,6 +230,7 @@ def _waypoints(
                 twa_deg=abs(twa),
                 motor=motor,
                 tack=None if motor else _tack(twa, both=bool(short_tacked[k])),
+                sail=None if motor else sail_at(yacht, float(sailed.tws[a]), abs(twa)),
                 sog_kn=sog,
                 steer_deg=steer,
                 current_kn=math.hypot(east, north) / MS_PER_KNOT if sailed.in_current else None,

@@ -215,6 +215,8 @@ class Waypoint:
         Mean speed of the leg through the water and over ground [kn].
     steer_deg
         Course to steer at the begin of the leg, degrees true: the course made good but for the current.
+    sail
+        The sail to set at the begin of the leg, of a polar that knows several; else ``None``.
     current_kn, current_to_deg
         Current at the begin of the leg and where it sets to; ``None`` where none was given.
     twa_deg
@@ -237,6 +239,7 @@ class Waypoint:
     tack: Tack | None = None
     sog_kn: float | None = None
     steer_deg: float | None = None
+    sail: str | None = None
     current_kn: float | None = None
     current_to_deg: float | None = None
 

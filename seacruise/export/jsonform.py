@@ -117,9 +117,9 @@ def _place(place: Place) -> dict[str, Any]:
 
 
 def _waypoint(waypoint: Waypoint) -> dict[str, Any]:
-    current: dict[str, Any] = {}
+    besides: dict[str, Any] = {} if waypoint.sail is None else {"sail": waypoint.sail}
     if waypoint.current_kn is not None:
-        current = {
+        besides |= {
             "sog_kn": number(waypoint.sog_kn, 3),
             "steer_deg": number(waypoint.steer_deg, 2),
             "current_kn": number(waypoint.current_kn, 3),
@@ -136,5 +136,5 @@ def _waypoint(waypoint: Waypoint) -> dict[str, Any]:
         "twd_deg": number(waypoint.twd_deg, 2),
         "twa_deg": number(waypoint.twa_deg, 2),
         "motor": waypoint.motor,
-        **current,
+        **besides,
     }

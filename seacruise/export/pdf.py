@@ -224,7 +224,8 @@ def _summary(passage: Passage) -> list[tuple[str, str]]:
     if passage.manoeuvre_h > 0:
         rows.append(("Turning", f"{format_duration(passage.manoeuvre_h)} for manoeuvres"))
     if passage.beyond_forecast_h > 0:
-        rows.append(("Held wind", f"{format_duration(passage.beyond_forecast_h)} beyond the forecast"))
+        name = "Fading wind" if passage.beyond == "fade" else "Held wind"
+        rows.append((name, f"{format_duration(passage.beyond_forecast_h)} beyond the forecast"))
     return rows
 
 

@@ -174,6 +174,7 @@ def _legs_table(passage: Passage) -> str:
             wind = f"{waypoint.tws_kn:2.0f} kn  {format_course(waypoint.twd_deg)}  {_angle(waypoint):<10}"
             line += f"  {format_course(waypoint.course_deg):>6}  {waypoint.leg_nm:5.1f} nm  {wind}  "
             line += f"{waypoint.boat_speed_kn:4.1f} kn{'  engine' if waypoint.motor else ''}"
+            line += f"  {waypoint.sail}" if waypoint.sail else ""
             line += _in_current(waypoint)
         lines.append(line.rstrip())
     return "\n".join(lines)
