@@ -10,13 +10,11 @@ from benchmarks.simulator import Simulator
 from benchmarks.world import PASSAGES, PRECISE, World, other_winds, world
 from seacruise.errors import NoPassageError
 from seacruise.geodesy import from_mercator
-from seacruise.passage import Options, plan
+from seacruise.passage import Options, plan, sail_again
 from seacruise.progress import Job
 from seacruise.routing.find import Finder, Ledger, Question
 from seacruise.routing.lattice import Levels
-from seacruise.routing.manoeuvres import sail_boards
 from seacruise.routing.refine import Line, in_corridor, relaxed
-from seacruise.routing.resail import resail
 from seacruise.units import SECONDS_PER_HOUR
 
 BUDGET_PERCENT: Final = 0.1
@@ -74,7 +72,7 @@ def converged(at: World, asked: Question, found: Line) -> Line:
 
 def shown(asked: Question, line: Line) -> tuple[float, bool]:
     """Hours that SeaCruise would show for a line, boards put in and sailed again, and is it free of land."""
-    sailed = resail(asked, sail_boards(asked, line), fuel_rate_l_h=0.0)
+    _, sailed = sail_again(asked, line)
     return float(sailed.time[-1] - asked.departure) / SECONDS_PER_HOUR, sailed.land_free
 
 

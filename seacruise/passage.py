@@ -37,6 +37,7 @@ from seacruise.units import METRES_PER_NM, SECONDS_PER_HOUR
 if TYPE_CHECKING:
     from seacruise.routing.find import Fastest, Finder, How, Ledger, Question
     from seacruise.routing.manoeuvres import Course
+    from seacruise.routing.refine import Line
     from seacruise.routing.resail import Resailed
     from seacruise.sea import Sea, Snap
     from seacruise.weather.wind import Wind
@@ -211,7 +212,12 @@ def _find_within_limits(
         found = the_finder().fastest(sought, job=job, ledger=ledger)
         job.check()
         job.report("check", None, "Sailing the passage again")
-        course, sailed = _sail_again(sailed_as or asked, found, options.fuel_rate_l_h)
+        course, sailed = sail_again(
+            sailed_as or asked,
+            found.line,
+            boards_found=found.boards_found,
+            fuel_rate_l_h=options.fuel_rate_l_h,
+        )
         if sailed.within_limits:
             return found, course, sailed
     raise NoPassageError(
@@ -331,21 +337,34 @@ def how_of(options: Options) -> How:
     )
 
 
-def _sail_again(asked: Question, found: Fastest, fuel_rate_l_h: float) -> tuple[Course, Resailed]:
+def sail_again(
+    asked: Question, line: Line, *, boards_found: bool = False, fuel_rate_l_h: float = 0.0
+) -> tuple[Course, Resailed]:
     """Put in the tacks and sail the passage by independent code.
 
     Without tacking a leg found possible hour by hour may still lead through the dead angle between two
     looks; rather than show a time nobody sailed, such a passage is tacked where it must be.
+
+    Parameters
+    ----------
+    boards_found
+        Whether tacks and gybes are in the line already.
     """
-    from seacruise.routing.manoeuvres import merge_straight, sail_boards, straight_legs
+    from seacruise.routing.manoeuvres import merge_straight, relax_boards, sail_boards, straight_legs
     from seacruise.routing.resail import resail
 
     handling = asked.how.handling
-    if found.boards_found or not handling.tacking:
-        course = merge_straight(straight_legs(found.line), asked.sea, asked.zones)
+    if boards_found or not handling.tacking:
+        course = merge_straight(straight_legs(line), asked.sea, asked.zones)
     else:
-        course = sail_boards(asked, found.line)
+        course = sail_boards(asked, line)
     sailed = resail(asked, course, fuel_rate_l_h=fuel_rate_l_h)
+    if handling.tacking and asked.how.refine and not boards_found and sailed.turns:
+        waters = the_finder().as_she_sails(asked)
+        moved = relax_boards(waters, course, asked.departure)
+        again = resail(asked, moved, fuel_rate_l_h=fuel_rate_l_h)
+        if again.arrived and again.land_free and again.time[-1] < sailed.time[-1]:
+            course, sailed = moved, again
     if not sailed.arrived:
         tacked = replace(asked, how=replace(asked.how, handling=replace(handling, tacking=True)))
         course = replace(course, short_tacked=np.ones_like(course.short_tacked))

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 import time
+from collections import OrderedDict
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
@@ -56,6 +57,7 @@ _GUESSED_PACE: Final = 0.6
 _FIRST_REACH: Final = 1.3
 _LAST_REACH: Final = 4.0
 _REACH_STEP: Final = 0.1
+_KEPT: Final = 8
 
 
 @dataclass(frozen=True, slots=True)
@@ -182,7 +184,7 @@ class Finder:
 
     def __init__(self) -> None:
         self.cache = LatticeCache()
-        self._speeds: tuple[Polar, Handling, SpeedTable] | None = None
+        self._speeds: OrderedDict[tuple[int, Handling], tuple[Polar, SpeedTable]] = OrderedDict()
 
     def fastest(self, asked: Question, *, job: Job, ledger: Ledger) -> Fastest:
         """Find the fastest passage.
@@ -206,9 +208,8 @@ class Finder:
         job.check()
         turned = None
         if any(handling.pauses) and asked.how.preset == "precise":
-            as_she_sails = speed_table(asked.polar, replace(handling, tacking=False))
             waters = replace(waters, pauses=handling.pauses)
-            turned = _turning(replace(waters, speeds=as_she_sails), grid, asked.departure, job, ledger)
+            turned = _turning(self.as_she_sails(asked), grid, asked.departure, job, ledger)
         # Where every board would be too short for the lattice she makes good the hull, as without costs.
         waters, line = turned or (waters, line)
         if asked.how.refine:
@@ -219,11 +220,22 @@ class Finder:
         ledger.vertices, ledger.edges = grid.vertices, int(grid.target.size)
         return Fastest(line, grid, speeds, fine, boards_found=turned is not None)
 
+    def as_she_sails(self, asked: Question) -> Waters:
+        """Sea, wind and the speeds of the polar itself, every board of a beat one of its own."""
+        handling = replace(asked.how.handling, tacking=False)
+        speeds = self._speed_table(asked.polar, handling)
+        return Waters(asked.sea, asked.winds(FINE_SLICE_S), speeds, asked.zones, handling.pauses)
+
     def _speed_table(self, polar: Polar, handling: Handling) -> SpeedTable:
-        """Give the table used last, or make another."""
-        if (kept := self._speeds) is None or kept[0] is not polar or kept[1] != handling:
-            self._speeds = kept = (polar, handling, speed_table(polar, handling))
-        return kept[2]
+        """Give one of the tables used last, or make another."""
+        key = id(polar), handling
+        # The polar is kept with its table: while it is, no other one can have its identity.
+        _, table = kept if (kept := self._speeds.get(key)) else (polar, speed_table(polar, handling))
+        self._speeds[key] = polar, table
+        while len(self._speeds) > _KEPT:
+            # Another thread may have been faster.
+            self._speeds.pop(next(iter(self._speeds)), None)
+        return table
 
     def _precise(
         self, asked: Question, waters: Waters, coarse: WindField, job: Job, ledger: Ledger

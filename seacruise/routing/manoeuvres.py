@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from seacruise.geodesy import from_mercator, rhumb_distance_m, scale
-from seacruise.routing.refine import Line
+from seacruise.routing.refine import Line, Waters, relaxed, timed
 from seacruise.sea import Sea
 from seacruise.sea.zones import Zones
 from seacruise.units import METRES_PER_NM
@@ -31,6 +31,8 @@ SHORTEST_PAIR_S: Final = 360.0
 
 SLACK_S: Final = 1800.0
 """Boards may be sailed this much earlier or later than planned, and meet no zone all the same [s]."""
+
+_GUESSED: Final = 4.0
 
 SAME_COURSE_DEG: Final = 1.0
 """Courses that differ by less are one leg to a helmsman."""
@@ -87,6 +89,41 @@ def sail_boards(asked: Question, line: Line) -> Course:
     for piece, after in zip(pieces, [*pieces[1:], None], strict=True):
         builder.add(piece, put_off=after is not None and after.gain >= GAIN)
     return merge_straight(builder.course(), asked.sea, asked.zones)
+
+
+def relax_boards(waters: Waters, course: Course, departure: float) -> Course:
+    """Move the corners of boards to where the wind makes them fastest.
+
+    Boards are laid out in the wind of their middle; it shifts meanwhile. What lies between two legs that are
+    too narrow for boards is relaxed with the polar as it is.
+
+    Parameters
+    ----------
+    waters
+        With the speeds of the polar itself, not of its hull.
+    departure
+        Seconds since 1970.
+    """
+    cuts = np.flatnonzero(np.diff(np.concatenate([[True], course.short_tacked, [True]]).astype(int)))
+    x, y, short = [course.x[:1]], [course.y[:1]], [np.zeros(0, dtype=bool)]
+    t, k = departure, 0
+    for begin, end in cuts.reshape(-1, 2).tolist():
+        # From corner k to ``begin`` she makes good the hull; when she is there is only a guess of the wind.
+        t += (
+            float(np.hypot(np.diff(course.x[k : begin + 1]), np.diff(course.y[k : begin + 1])).sum())
+            / _GUESSED
+        )
+        line = relaxed(
+            waters, timed(waters, course.x[begin : end + 1], course.y[begin : end + 1], t), split=False
+        )
+        x += [course.x[k + 1 : begin + 1], line.x[1:]]
+        y += [course.y[k + 1 : begin + 1], line.y[1:]]
+        short += [np.ones(begin - k, dtype=bool), np.zeros(line.x.size - 1, dtype=bool)]
+        t, k = float(line.times[-1]), end
+    rest = course.x.size - 1 - k
+    x, y = [*x, course.x[k + 1 :]], [*y, course.y[k + 1 :]]
+    short.append(np.ones(rest, dtype=bool))
+    return Course(np.concatenate(x), np.concatenate(y), np.concatenate(short))
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -30,11 +30,11 @@ Array = NDArray[np.float64]
 PIECE_M: Final = METRES_PER_NM
 """Longest part of a leg that is sailed in the wind of its middle while relaxing [m]."""
 
-CORRIDOR_SPACING_NM: Final = 2.0
+CORRIDOR_SPACING_NM: Final = 1.5
 CORRIDOR_COURSES: Final = 72
 SHORE_COURSES: Final = 24
 CORRIDOR_SIDES: Final = 6.0
-CORRIDOR_LEVELS: Final = 5
+CORRIDOR_LEVELS: Final = 4
 """The second lattice: spacing [nm], courses, those of its finest levels, half-width in spacings, levels."""
 
 STRAIGHT: Final = 48.0
@@ -47,7 +47,7 @@ LEGS_NM: Final = (16.0, 12.0, 10.0, 10.0, 10.0, 10.0, 10.0)
 
 ROUNDS: Final = 10
 
-SIMPLIFY: Final = 0.0004
+SIMPLIFY: Final = 0.00025
 """Share of the duration that may be given for fewer waypoints: steering 50 courses helps nobody."""
 
 
