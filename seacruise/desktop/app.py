@@ -24,7 +24,7 @@ from seacruise.settings import Settings
 
 log = logging.getLogger(__name__)
 
-_SWITCH_S: Final = 0.0002
+SWITCH_S: Final = 0.0002
 """How long a worker may keep Python's lock while the window wants it; Python's own 5 ms can be felt when
 a frame asks for it a dozen times."""
 
@@ -138,7 +138,7 @@ def _logging(settings: Settings) -> Iterator[None]:
 @contextmanager
 def _switching_fast() -> Iterator[None]:
     before = sys.getswitchinterval()
-    sys.setswitchinterval(_SWITCH_S)
+    sys.setswitchinterval(SWITCH_S)
     try:
         yield
     finally:

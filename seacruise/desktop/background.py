@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 
     from seacruise.ports import Port
     from seacruise.progress import Job
+    from seacruise.sea.zones import Zones
     from seacruise.settings import Settings
     from seacruise.yacht.polar import Polar
 
@@ -75,6 +76,13 @@ def load_quota(settings: Settings, now: datetime) -> tuple[int, int] | None:
     return None if quota is None else (quota.left, quota.daily)
 
 
+def load_layers(settings: Settings) -> Zones:
+    """Read the zones that the sailor keeps in the folder of layers."""
+    from seacruise.sea.zones import layer_files, load_zones
+
+    return load_zones(layer_files(settings.layers))
+
+
 def add_polar(path: Path, settings: Settings) -> str:
     """Check a polar file and copy it to the sailor's own; returns the yacht's name.
 
@@ -102,13 +110,15 @@ class Background(QObject):
     """Runs these loads; each has a runner of its own, so that none waits for another.
 
     Signals: ``catalogue_loaded(Catalogue)``, ``horizon_loaded(Horizon)``, ``horizon_failed(error)``,
-    ``quota_loaded(tuple or None)``, ``polar_added(name)``, ``troubled(error)``, ``warmed_up()``.
+    ``quota_loaded(tuple or None)``, ``layers_loaded(Zones)``, ``polar_added(name)``, ``troubled(error)``,
+    ``warmed_up()``.
     """
 
     catalogue_loaded = Signal(object)
     horizon_loaded = Signal(object)
     horizon_failed = Signal(object)
     quota_loaded = Signal(object)
+    layers_loaded = Signal(object)
     polar_added = Signal(str)
     troubled = Signal(object)
     warmed_up = Signal()
@@ -117,7 +127,8 @@ class Background(QObject):
         super().__init__(parent)
         self._settings = settings
         self._runners = {
-            name: JobRunner(name, self) for name in ("catalogue", "horizon", "quota", "polar", "warmup")
+            name: JobRunner(name, self)
+            for name in ("catalogue", "horizon", "quota", "layers", "polar", "warmup")
         }
         runners = self._runners
         runners["catalogue"].finished.connect(lambda _, found: self.catalogue_loaded.emit(found))
@@ -125,6 +136,8 @@ class Background(QObject):
         runners["horizon"].finished.connect(lambda _, found: self.horizon_loaded.emit(found))
         runners["horizon"].failed.connect(lambda _, error: self.horizon_failed.emit(error))
         runners["quota"].finished.connect(lambda _, found: self.quota_loaded.emit(found))
+        runners["layers"].finished.connect(lambda _, found: self.layers_loaded.emit(found))
+        runners["layers"].failed.connect(lambda _, error: self.troubled.emit(error))
         runners["polar"].finished.connect(lambda _, name: self.polar_added.emit(name))
         runners["polar"].failed.connect(lambda _, error: self.troubled.emit(error))
         runners["warmup"].finished.connect(lambda *_: self.warmed_up.emit())
@@ -142,6 +155,10 @@ class Background(QObject):
     def load_quota(self) -> None:
         """Look up today's quota."""
         self._runners["quota"].run_job(lambda _job: load_quota(self._settings, datetime.now(UTC)))
+
+    def load_layers(self) -> None:
+        """Read the zones to keep out of."""
+        self._runners["layers"].run_job(lambda _job: load_layers(self._settings))
 
     def add_polar(self, path: Path) -> None:
         """Take a polar file over."""

@@ -31,14 +31,15 @@ class Banner(QFrame):
         layout = QVBoxLayout(self)
         layout.setContentsMargins(12, 9, 12, 10)
         layout.setSpacing(4)
-        if message.title:
-            title = text_label(message.title, parent=self)
-            title.setFont(scaled_font(self.font(), 1.0, bold=True))
-            layout.addWidget(title)
-        for text in filter(None, (message.sentence, message.advice)):
+        self._labels: list[QLabel] = []
+        for number, text in enumerate(_texts(message)):
             label = text_label(text, parent=self)
-            label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+            if number or not message.title:
+                label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+            else:
+                label.setFont(scaled_font(self.font(), 1.0, bold=True))
             layout.addWidget(label)
+            self._labels.append(label)
         self.button: QPushButton | None = None
         if message.way_out is not WayOut.NOTHING:
             self.button = QPushButton(way_out_text(message.way_out), self)
@@ -48,4 +49,26 @@ class Banner(QFrame):
             row.addWidget(self.button)
             row.addStretch()
             layout.addLayout(row)
-        self.setAccessibleName(" ".join(filter(None, (message.title, message.sentence, message.advice))))
+        self._name()
+
+    def say(self, message: Message) -> bool:
+        """Say something else in the same form; False, and nothing is changed, when its form is another."""
+        if _form(message) != _form(self.message):
+            return False
+        self.message = message
+        for label, text in zip(self._labels, _texts(message), strict=True):
+            if label.text() != text:
+                label.setText(text)
+        self._name()
+        return True
+
+    def _name(self) -> None:
+        self.setAccessibleName(" ".join(_texts(self.message)))
+
+
+def _texts(message: Message) -> list[str]:
+    return [text for text in (message.title, message.sentence, message.advice) if text]
+
+
+def _form(message: Message) -> tuple[object, ...]:
+    return message.kind, message.way_out, bool(message.title), bool(message.sentence), bool(message.advice)

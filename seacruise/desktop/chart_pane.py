@@ -6,7 +6,7 @@ from PySide6.QtCore import QEvent, QObject, QSize, Qt
 from PySide6.QtWidgets import QLabel, QToolButton, QVBoxLayout, QWidget
 
 from seacruise.desktop.chart.view import ChartView
-from seacruise.desktop.style import WARNING_GROUND, WARNING_INK, WARNING_LINE, icon, scaled_font
+from seacruise.desktop.style import scaled_font, show_icon
 from seacruise.desktop.time_bar import TimeBar
 
 _EDGE = 12
@@ -27,20 +27,19 @@ class ChartPane(QWidget):
         self.zoom_in_button = self._button("plus", self.tr("Zoom in"))
         self.zoom_out_button = self._button("minus", self.tr("Zoom out"))
         self.fit_button = self._button("fit", self.tr("Show the whole passage"))
+        self.measure_button = self._button("measure", self.tr("Measure distance and bearing (Ctrl+M)"))
+        self.measure_button.setCheckable(True)
         self.zoom_in_button.clicked.connect(self.view.zoom_in)
         self.zoom_out_button.clicked.connect(self.view.zoom_out)
         self.ribbon = QLabel(self.view)
         self.ribbon.setFont(scaled_font(self.font(), 0.95, bold=True))
-        self.ribbon.setStyleSheet(
-            f"background: {WARNING_GROUND}; color: {WARNING_INK}; border: 1px solid {WARNING_LINE};"
-            "border-radius: 6px; padding: 5px 12px;"
-        )
+        self.ribbon.setObjectName("ribbon")
         self.ribbon.hide()
         self.view.installEventFilter(self)
 
     def _button(self, name: str, text: str) -> QToolButton:
         button = QToolButton(self.view)
-        button.setIcon(icon(name))
+        show_icon(button, name)
         button.setIconSize(QSize(18, 18))
         button.setFixedSize(32, 32)
         button.setToolTip(text)
@@ -62,7 +61,8 @@ class ChartPane(QWidget):
 
     def _place(self) -> None:
         right = self.view.width() - _EDGE
-        for row, button in enumerate((self.zoom_in_button, self.zoom_out_button, self.fit_button)):
+        buttons = (self.zoom_in_button, self.zoom_out_button, self.fit_button, self.measure_button)
+        for row, button in enumerate(buttons):
             button.move(right - button.width(), _EDGE + row * (button.height() + 5))
         self.ribbon.adjustSize()
         room = self.view.width() - 2 * (_EDGE + 44)

@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
 
 from seacruise.desktop.banner import text_label
 from seacruise.desktop.state import Horizon
-from seacruise.desktop.style import icon
+from seacruise.desktop.style import show_icon
 from seacruise.errors import InputError
 
 
@@ -54,7 +54,7 @@ class DepartureField(QWidget):
         self.date_edit.setDateRange(QDate(1900, 1, 1), QDate(2199, 12, 31))
         self.date_edit.setAccessibleName(self.tr("Date of departure, UTC"))
         self.calendar_button = QToolButton(self)
-        self.calendar_button.setIcon(icon("calendar"))
+        show_icon(self.calendar_button, "calendar")
         self.calendar_button.setIconSize(QSize(18, 18))
         self.calendar_button.setAccessibleName(self.tr("Choose the date of departure in a calendar"))
         self.calendar_button.setToolTip(self.tr("Days that the forecast covers"))
@@ -110,6 +110,11 @@ class DepartureField(QWidget):
         """Whether the sailor chose the moment; else it follows the forecast."""
         return self._chosen
 
+    @property
+    def is_covered(self) -> bool:
+        """Whether the forecast covers the moment, as far as that is known."""
+        return self._horizon is None or self._horizon.covers(self.moment)
+
     def require_moment(self) -> datetime:
         """Give the moment, when the forecast covers it.
 
@@ -118,7 +123,7 @@ class DepartureField(QWidget):
         InputError
             It does not; the sentence tells the range.
         """
-        if self._horizon is not None and not self._horizon.covers(self.moment):
+        if not self.is_covered:
             raise InputError(
                 self.tr(
                     "The departure on {moment} UTC is not within the forecast, which covers {range}."
@@ -165,15 +170,18 @@ class DepartureField(QWidget):
         )
 
     def _show_range(self) -> None:
-        wrong = self._horizon is not None and not self._horizon.covers(self.moment)
+        wrong = not self.is_covered
         if self._horizon is None:
             text = self.tr("UTC")
         elif wrong:
             text = self.tr("Not in the forecast, which covers {range}.").format(range=self._range_text())
         else:
             text = self.tr("UTC. The forecast covers {range}.").format(range=self._range_text())
-        self.range_label.setText(text)
+        if text != self.range_label.text():
+            self.range_label.setText(text)
         self.range_label.setObjectName("fault" if wrong else "hint")
+        if wrong == bool(self.range_label.property("wrong")):
+            return
         for widget in (self.date_edit, self.time_edit, self.range_label):
             widget.setProperty("wrong", wrong)
             widget.style().unpolish(widget)

@@ -27,7 +27,7 @@ from seacruise.desktop.banner import text_label
 from seacruise.desktop.compute import Question, refuse_same_port
 from seacruise.desktop.departure_field import DepartureField
 from seacruise.desktop.port_field import PortField
-from seacruise.desktop.style import icon, scaled_font
+from seacruise.desktop.style import scaled_font, show_icon
 from seacruise.errors import InputError
 from seacruise.passage import Options
 from seacruise.ports import Port
@@ -49,13 +49,15 @@ class PassageForm(QFrame):
     """The passage form.
 
     Signals: ``submitted()`` and ``cancelled()`` by its buttons, ``ends_changed()`` when a port changes,
-    ``forecast_changed()`` when another forecast is chosen.
+    ``forecast_changed()`` when another forecast is chosen, ``sailing_changed()`` when the sailor changes
+    departure, yacht or options.
     """
 
     submitted = Signal()
     cancelled = Signal()
     ends_changed = Signal()
     forecast_changed = Signal()
+    sailing_changed = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -79,12 +81,16 @@ class PassageForm(QFrame):
         self.end_field.setPlaceholderText(self.tr("Port, or 59.3, 18.1"))
         self.forecast_box.activated.connect(self._forecast_picked)
         self.yacht_box.activated.connect(self._yacht_picked)
+        self.yacht_box.activated.connect(self.sailing_changed)
+        for box in (self.percent_box, self.max_wind_box, self.motor_box):
+            box.valueChanged.connect(self.sailing_changed)
+        self.departure.changed.connect(self._departure_changed)
 
     # --- building -----------------------------------------------------------------------------------
 
     def _make_buttons(self) -> None:
         self.swap_button = QToolButton(self)
-        self.swap_button.setIcon(icon("swap"))
+        show_icon(self.swap_button, "swap")
         self.swap_button.setIconSize(QSize(18, 18))
         self.swap_button.setToolTip(self.tr("Swap start and end"))
         self.swap_button.setAccessibleName(self.tr("Swap start and end"))
@@ -245,9 +251,25 @@ class PassageForm(QFrame):
         return self._forecast
 
     @property
-    def ends(self) -> list[Port]:
-        """The ports that are named so far."""
-        return [field.port for field in (self.start_field, self.end_field) if field.port is not None]
+    def ends(self) -> dict[str, Port]:
+        """The ports that are named so far, ``"from"`` and ``"to"``."""
+        fields = {"from": self.start_field, "to": self.end_field}
+        return {which: field.port for which, field in fields.items() if field.port is not None}
+
+    @property
+    def is_answerable(self) -> bool:
+        """Whether both ports and a yacht are named, and the forecast covers the departure."""
+        return (
+            len(self.ends) == 2 and self.yacht_box.currentText() in self._yachts and self.departure.is_covered
+        )
+
+    def set_end(self, which: str, port: Port) -> None:
+        """Name an end, ``"from"`` or ``"to"``; a port without a name is a position."""
+        field = self.start_field if which == "from" else self.end_field
+        if port.name:
+            field.setText(port.name)
+        else:
+            field.set_position(port.lat, port.lon)
 
     def contents(self) -> dict[str, object]:
         """Give what is worth keeping for the next start; a departure is not."""
@@ -309,6 +331,11 @@ class PassageForm(QFrame):
     def wanted_yacht(self) -> str:
         """The yacht that is chosen, or will be when the yachts are loaded."""
         return self._wanted_yacht
+
+    def _departure_changed(self) -> None:
+        # A departure that follows the clock is nobody's wish.
+        if self.departure.was_chosen:
+            self.sailing_changed.emit()
 
     def _yacht_picked(self) -> None:
         self._wanted_yacht = self.yacht_box.currentText()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Final
 
 from PySide6.QtCore import (
     QAbstractTableModel,
@@ -16,7 +16,6 @@ from PySide6.QtCore import (
     Qt,
     Signal,
 )
-from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView, QWidget
 
 from seacruise.desktop.chart.palette import WIND_COLOURS, wind_class
@@ -27,6 +26,10 @@ if TYPE_CHECKING:
     from seacruise.passage import Passage, Waypoint
 
 Index = QModelIndex | QPersistentModelIndex
+
+# Flags are joined once: a table of a screen asks some hundred times.
+_LEFT: Final = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
+_RIGHT: Final = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 
 
 def tr(text: str) -> str:
@@ -85,6 +88,11 @@ class LegsModel(QAbstractTableModel):
         super().__init__(parent)
         self._columns = columns()
         self._waypoints: tuple[Waypoint, ...] = ()
+        self._darker = 100
+
+    def show_light(self, light: str) -> None:
+        """Be as bright as a light allows: ``day``, ``dusk`` or ``night``."""
+        self._darker = 200 if light == "night" else 100
 
     def show_passage(self, passage: Passage | None) -> None:
         """Take over the waypoints of a passage, or none."""
@@ -106,11 +114,9 @@ class LegsModel(QAbstractTableModel):
         if role == Qt.ItemDataRole.DisplayRole:
             return column.text(waypoint)
         if role == Qt.ItemDataRole.TextAlignmentRole:
-            left = index.column() in {0, 1, len(self._columns) - 1}
-            side = Qt.AlignmentFlag.AlignLeft if left else Qt.AlignmentFlag.AlignRight
-            return side | Qt.AlignmentFlag.AlignVCenter
+            return self._side(index.column())
         if role == Qt.ItemDataRole.DecorationRole and index.column() == 5 and waypoint.tws_kn is not None:
-            return QColor(WIND_COLOURS[wind_class(waypoint.tws_kn)])
+            return WIND_COLOURS[wind_class(waypoint.tws_kn)].darker(self._darker)
         return None
 
     def headerData(
@@ -124,11 +130,11 @@ class LegsModel(QAbstractTableModel):
         if role == Qt.ItemDataRole.ToolTipRole:
             return self._columns[section].tip
         if role == Qt.ItemDataRole.TextAlignmentRole:
-            left = section in {0, 1, len(self._columns) - 1}
-            return (
-                Qt.AlignmentFlag.AlignLeft if left else Qt.AlignmentFlag.AlignRight
-            ) | Qt.AlignmentFlag.AlignVCenter
+            return self._side(section)
         return None
+
+    def _side(self, column: int) -> Qt.AlignmentFlag:
+        return _LEFT if column in {0, 1, len(self._columns) - 1} else _RIGHT
 
 
 class LegsTable(QTableView):

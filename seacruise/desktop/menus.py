@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from PySide6.QtCore import QObject
-from PySide6.QtGui import QAction, QKeySequence
+from PySide6.QtGui import QAction, QActionGroup, QKeySequence, QUndoStack
 from PySide6.QtWidgets import QMainWindow, QMenu
 
 Command = Callable[[], object]
@@ -27,6 +27,7 @@ class Commands:
     calculate: Command
     cancel: Command
     swap: Command
+    steer: Command
     about: Command
 
 
@@ -39,15 +40,18 @@ class Menus(QObject):
         Actions that need a passage.
     cancel
         Enabled while a calculation runs; else Esc is for whoever has the focus.
+    live
+        Whether changes are sailed at once.
     layers
-        Switches of the layers ``wind``, ``ports``, ``lattice`` and of the table ``legs``.
+        Switches of the chart's layers, of ``measure`` and of the table ``legs``.
     """
 
-    def __init__(self, window: QMainWindow, commands: Commands) -> None:
+    def __init__(self, window: QMainWindow, commands: Commands, undo: QUndoStack) -> None:
         super().__init__(window)
         bar = window.menuBar()
-        file_menu, view_menu = bar.addMenu(self.tr("&File")), bar.addMenu(self.tr("&View"))
-        passage_menu, help_menu = bar.addMenu(self.tr("&Passage")), bar.addMenu(self.tr("&Help"))
+        file_menu, edit_menu = bar.addMenu(self.tr("&File")), bar.addMenu(self.tr("&Edit"))
+        view_menu, passage_menu = bar.addMenu(self.tr("&View")), bar.addMenu(self.tr("&Passage"))
+        help_menu = bar.addMenu(self.tr("&Help"))
         self.exports = [
             _action(file_menu, self.tr("Save route as &GPX…"), commands.save_gpx, "Ctrl+S"),
             _action(file_menu, self.tr("Save legs as &CSV…"), commands.save_csv),
@@ -55,12 +59,11 @@ class Menus(QObject):
         ]
         file_menu.addSeparator()
         _action(file_menu, self.tr("&Quit"), commands.quit, "Ctrl+Q")
-        show = commands.show_layers
-        self.layers = {
-            "wind": _switch(view_menu, self.tr("&Wind barbs"), show, "Ctrl+Shift+W", on=True),
-            "ports": _switch(view_menu, self.tr("&Ports"), show, "Ctrl+Shift+P", on=True),
-            "lattice": _switch(view_menu, self.tr("&Lattice"), show, "Ctrl+Shift+L", on=False),
-            "legs": _switch(view_menu, self.tr("Table of l&egs"), show, "Ctrl+Shift+T", on=True),
+        self._add_undo(edit_menu, undo)
+        self.layers = self._layers(view_menu, commands.show_layers)
+        self._groups = {
+            "scheme": self._schemes(view_menu.addMenu(self.tr("&Colour the route by")), commands),
+            "light": self._lights(view_menu.addMenu(self.tr("Li&ght")), commands),
         }
         view_menu.addSeparator()
         _action(view_menu, self.tr("Zoom &in"), commands.zoom_in, "Ctrl++")
@@ -68,8 +71,61 @@ class Menus(QObject):
         _action(view_menu, self.tr("Whole pa&ssage"), commands.fit, "Ctrl+0")
         _action(passage_menu, self.tr("&Calculate"), commands.calculate, "Ctrl+Return", "Ctrl+Enter")
         self.cancel = _action(passage_menu, self.tr("Ca&ncel"), commands.cancel, "Esc")
+        self.live = _switch(
+            passage_menu, self.tr("&Follow changes at once"), commands.steer, "Ctrl+Shift+F", on=True
+        )
         _action(passage_menu, self.tr("&Swap start and end"), commands.swap, "Ctrl+R")
         _action(help_menu, self.tr("&About SeaCruise"), commands.about, "F1")
+
+    def _add_undo(self, menu: QMenu, undo: QUndoStack) -> None:
+        back = undo.createUndoAction(self, self.tr("&Undo"))
+        forth = undo.createRedoAction(self, self.tr("&Redo"))
+        back.setShortcut(QKeySequence("Ctrl+Z"))
+        forth.setShortcut(QKeySequence("Ctrl+Shift+Z"))
+        menu.addActions([back, forth])
+
+    def _layers(self, menu: QMenu, show: Command) -> dict[str, QAction]:
+        return {
+            "wind": _switch(menu, self.tr("&Wind barbs"), show, "Ctrl+Shift+W", on=True),
+            "field": _switch(menu, self.tr("Wind as &field of colour"), show, "Ctrl+Shift+C", on=False),
+            "isochrones": _switch(menu, self.tr("Lines of e&qual time"), show, "Ctrl+Shift+I", on=False),
+            "nights": _switch(menu, self.tr("Day and &night"), show, "Ctrl+Shift+N", on=True),
+            "zones": _switch(menu, self.tr("&Zones to keep out of"), show, "Ctrl+Shift+X", on=True),
+            "ports": _switch(menu, self.tr("&Ports"), show, "Ctrl+Shift+P", on=True),
+            "lattice": _switch(menu, self.tr("&Lattice"), show, "Ctrl+Shift+L", on=False),
+            "legs": _switch(menu, self.tr("Table of l&egs"), show, "Ctrl+Shift+T", on=True),
+            "measure": _switch(menu, self.tr("&Measure"), show, "Ctrl+M", on=False),
+        }
+
+    def _schemes(self, menu: QMenu, commands: Commands) -> QActionGroup:
+        return _choice(
+            menu,
+            {
+                "tws": self.tr("&Wind speed (TWS)"),
+                "twa": self.tr("&Angle to the wind (TWA)"),
+                "speed": self.tr("&Boat speed"),
+                "point": self.tr("&Point of sail"),
+            },
+            commands.show_layers,
+        )
+
+    def _lights(self, menu: QMenu, commands: Commands) -> QActionGroup:
+        lights = {"day": self.tr("&Day"), "dusk": self.tr("D&usk"), "night": self.tr("&Night")}
+        group = _choice(menu, lights, commands.show_layers)
+        for number, action in enumerate(group.actions(), start=1):
+            action.setShortcut(QKeySequence(f"Ctrl+{number}"))
+        return group
+
+    def chosen(self, name: str) -> str:
+        """Tell what is chosen of the ``"scheme"`` or the ``"light"``."""
+        action = self._groups[name].checkedAction()
+        return str(action.data())
+
+    def choose(self, name: str, value: str) -> None:
+        """Choose a scheme or a light, as a click does; an unknown one changes nothing."""
+        for action in self._groups[name].actions():
+            if action.data() == value and not action.isChecked():
+                action.trigger()
 
 
 def _action(menu: QMenu, text: str, command: Command, *keys: str) -> QAction:
@@ -86,3 +142,15 @@ def _switch(menu: QMenu, text: str, command: Command, key: str, *, on: bool) -> 
     action.setShortcut(QKeySequence(key))
     action.toggled.connect(lambda _checked: command())
     return action
+
+
+def _choice(menu: QMenu, texts: dict[str, str], command: Command) -> QActionGroup:
+    group = QActionGroup(menu)
+    for key, text in texts.items():
+        action = menu.addAction(text)
+        action.setCheckable(True)
+        action.setData(key)
+        action.setChecked(not group.actions())
+        group.addAction(action)
+    group.triggered.connect(lambda _action: command())
+    return group

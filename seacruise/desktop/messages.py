@@ -142,8 +142,8 @@ def way_out_text(way_out: WayOut) -> str:
 
 
 def is_forecast(forecast: Forecast) -> bool:
-    """Tell a forecast from practice and sample weather, whose notice says that they are none."""
-    return "not a forecast" not in forecast.notice.lower()
+    """Tell a forecast from practice weather and the sample."""
+    return forecast.real
 
 
 def notices_of(passage: Passage, now: datetime) -> list[Message]:

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QFrame, QGridLayout, QHBoxLayout, QLabel, QProgres
 
 from seacruise.desktop.banner import text_label
 from seacruise.desktop.state import STAGES, Progress
-from seacruise.desktop.style import ACCENT, GOOD_INK, MUTED, scaled_font
+from seacruise.desktop.style import scaled_font
 
 
 class ProgressPanel(QFrame):
@@ -78,14 +78,17 @@ class ProgressPanel(QFrame):
     def show_progress(self, progress: Progress) -> None:
         """Show how far it is; the bar is the stages behind and the share of the running one."""
         for stage, (sign, name) in self._rows.items():
-            mark, colour, bold = "○", MUTED, False
+            mark, how = "○", "ahead"
             if stage == progress.stage:
-                mark, colour, bold = "●", ACCENT, True
+                mark, how = "●", "runs"
             elif stage in progress.done:
-                mark, colour = "✓", GOOD_INK
+                mark, how = "✓", "done"
             sign.setText(mark)
             for label in (sign, name):
-                label.setStyleSheet(f"color: {colour}; font-weight: {600 if bold else 400};")
+                if label.property("stage") != how:
+                    label.setProperty("stage", how)
+                    label.style().unpolish(label)
+                    label.style().polish(label)
         text = progress.message or self.tr("Starting…")
         self.message.setText(text[0].upper() + text[1:])
         if progress.stage is None:

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QVBoxLayout, QWidget
 
 from seacruise.desktop.banner import Banner, text_label
 from seacruise.desktop.departure_field import format_moment
-from seacruise.desktop.messages import age_h, format_age, is_forecast, notices_of
+from seacruise.desktop.messages import Message, age_h, format_age, is_forecast, notices_of
 from seacruise.desktop.style import scaled_font
 from seacruise.export.textform import format_duration, title, to_minute
 
@@ -34,6 +34,8 @@ class ResultPanel(QFrame):
         self._facts.setHorizontalSpacing(10)
         self._facts.setVerticalSpacing(4)
         self._facts.setColumnStretch(1, 1)
+        self._rows: list[tuple[QLabel, QLabel]] = []
+        self._banners: list[Banner] = []
         self._notices = QVBoxLayout()
         self._notices.setSpacing(6)
         self.checks = text_label("", "good", self)
@@ -59,25 +61,47 @@ class ResultPanel(QFrame):
         for widget in (self.checks, self.source, self.fine_print):
             layout.addWidget(widget)
 
-    def show_passage(self, passage: Passage, now: datetime, *, earlier: bool) -> None:
-        """Show a passage; ``earlier`` when it is not of the latest calculation."""
+    def show_passage(
+        self, passage: Passage, now: datetime, *, earlier: bool, rough: bool = False, via: str = ""
+    ) -> None:
+        """Show a passage.
+
+        Parameters
+        ----------
+        earlier
+            It is not of the latest calculation.
+        rough
+            It was found coarsely, while a hand moves.
+        via
+            Place that it is led through.
+        """
         head = f"{title(passage)}, {passage.yacht}"
-        self.heading.setText(self.tr("Earlier passage: {head}").format(head=head) if earlier else head)
+        if earlier:
+            self.heading.setText(self.tr("Earlier passage: {head}").format(head=head))
+        else:
+            self.heading.setText(self.tr("Roughly so far: {head}").format(head=head) if rough else head)
         self.duration.setText(format_duration(passage.duration_h))
         leaves, arrives = (format_moment(to_minute(m)) for m in (passage.departure, passage.arrival))
         self.arrival.setText(
             self.tr("Arrives {arrives} UTC\nDeparts {leaves} UTC").format(arrives=arrives, leaves=leaves)
         )
         self.setAccessibleName(f"{head}: {self.duration.text()}, {self.arrival.text()}")
-        _clear(self._notices)
-        for message in notices_of(passage, now):
-            banner = Banner(message, self)
-            banner.way_out_chosen.connect(self.way_out_chosen)
-            self._notices.addWidget(banner)
-        self._show_facts(passage)
+        self._show_notices(notices_of(passage, now))
+        self._show_facts(passage, via)
         self._show_trust(passage, now)
 
-    def _show_facts(self, passage: Passage) -> None:
+    def _show_notices(self, messages: list[Message]) -> None:
+        """Make banners anew only when they take another form: each costs the style sheet milliseconds."""
+        banners = self._banners
+        if len(messages) == len(banners) and all(b.say(m) for b, m in zip(banners, messages, strict=True)):
+            return
+        _clear(self._notices)
+        self._banners = [Banner(message, self) for message in messages]
+        for banner in self._banners:
+            banner.way_out_chosen.connect(self.way_out_chosen)
+            self._notices.addWidget(banner)
+
+    def _show_facts(self, passage: Passage, via: str) -> None:
         facts = [
             (self.tr("Distance"), self.tr("{n:.1f} nm").format(n=passage.distance_nm)),
             (self.tr("Direct distance"), self.tr("{n:.1f} nm").format(n=passage.direct_distance_nm)),
@@ -88,20 +112,32 @@ class ResultPanel(QFrame):
                 self.tr("{t} and {g}").format(t=passage.tacks, g=passage.gybes),
             ),
         ]
+        if via:
+            facts.insert(0, (self.tr("By way of"), via))
         if passage.motor_h > 0:
             used = self.tr("{t}, {f:.0f} l").format(t=format_duration(passage.motor_h), f=passage.fuel_l)
             facts.append((self.tr("Under engine"), used))
         if passage.beyond_forecast_h > 0:
             facts.append((self.tr("Beyond the forecast"), format_duration(passage.beyond_forecast_h)))
-        _clear(self._facts)
-        for row, (name, value) in enumerate(facts):
-            left, right = QLabel(name, self), QLabel(value, self)
-            left.setObjectName("factName")
-            right.setFont(scaled_font(self.font(), 1.0, bold=True))
-            right.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-            right.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-            self._facts.addWidget(left, row, 0)
-            self._facts.addWidget(right, row, 1)
+        while len(self._rows) < len(facts):
+            self._add_row()
+        for row, (left, right) in enumerate(self._rows):
+            shown = row < len(facts)
+            left.setVisible(shown)
+            right.setVisible(shown)
+            if shown:
+                left.setText(facts[row][0])
+                right.setText(facts[row][1])
+
+    def _add_row(self) -> None:
+        left, right = QLabel(self), QLabel(self)
+        left.setObjectName("factName")
+        right.setFont(scaled_font(self.font(), 1.0, bold=True))
+        right.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+        right.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self._facts.addWidget(left, len(self._rows), 0)
+        self._facts.addWidget(right, len(self._rows), 1)
+        self._rows.append((left, right))
 
     def _show_trust(self, passage: Passage, now: datetime) -> None:
         checks = passage.checks
@@ -122,9 +158,11 @@ class ResultPanel(QFrame):
                 t=format_duration(passage.lower_bound_h)
             )
         self.checks.setText(sentence)
-        self.checks.setObjectName("fault" if failed else "good")
-        self.checks.style().unpolish(self.checks)
-        self.checks.style().polish(self.checks)
+        name = "fault" if failed else "good"
+        if name != self.checks.objectName():
+            self.checks.setObjectName(name)
+            self.checks.style().unpolish(self.checks)
+            self.checks.style().polish(self.checks)
         self.source.setText(source_text(passage, now))
 
 
@@ -154,7 +192,7 @@ def _rule(parent: QWidget) -> QFrame:
     return rule
 
 
-def _clear(layout: QGridLayout | QVBoxLayout) -> None:
+def _clear(layout: QVBoxLayout) -> None:
     while (item := layout.takeAt(0)) is not None:
         if (widget := item.widget()) is not None:
             widget.hide()

@@ -8,6 +8,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QFrame, QScrollArea, QVBoxLayout, QWidget
 
 from seacruise.desktop.banner import Banner, text_label
+from seacruise.desktop.compute import Answer
 from seacruise.desktop.messages import Message
 from seacruise.desktop.progress_panel import ProgressPanel
 from seacruise.desktop.result_panel import ResultPanel
@@ -46,7 +47,8 @@ class Welcome(QFrame):
                 "Choose two ports, a departure and your yacht. "
                 "SeaCruise finds the fastest passage under sail."
             ),
-            self.tr("Right-click on the chart to sail from or to any position."),
+            self.tr("Right-click on the chart to sail from, to or via any position, or to avoid an area."),
+            self.tr("Then drag the start, the end or the departure: the passage follows."),
             self.tr("Drop a polar file on the window to add your yacht, or a GRIB file to use its wind."),
         ):
             layout.addWidget(text_label(text, parent=self))
@@ -77,7 +79,7 @@ class SidePanel(QWidget):
         self._layout.addWidget(self.progress)
         self._layout.addWidget(self.result)
         self._layout.addStretch()
-        self._pictured: tuple[int, bool] | None = None
+        self._pictured: tuple[Answer, bool] | None = None
 
     def show_state(self, state: WindowState, message: Message | None, now: datetime) -> None:
         """Show a state with its message."""
@@ -92,9 +94,15 @@ class SidePanel(QWidget):
         self._show_message(message)
         self.result.setVisible(state.answer is not None)
         if state.answer is not None:
-            shown = (state.answer_generation, state.answer_is_earlier)
-            if shown != self._pictured:
-                self.result.show_passage(state.answer.passage, now, earlier=state.answer_is_earlier)
+            shown = (state.answer, state.answer_is_earlier)
+            if self._pictured is None or shown[0] is not self._pictured[0] or shown[1] != self._pictured[1]:
+                self.result.show_passage(
+                    state.answer.passage,
+                    now,
+                    earlier=state.answer_is_earlier,
+                    rough=state.answer.rough,
+                    via=state.answer.question.via.name if state.answer.question.via else "",
+                )
                 self._pictured = shown
         self.welcome.setVisible(not computing and message is None and state.answer is None)
 

@@ -105,6 +105,12 @@ class WindowState:
         """State when the form itself cannot be computed; nothing was started."""
         return replace(self, phase=Phase.FAILED, error=error)
 
+    def rerouted(self, answer: Answer) -> WindowState:
+        """State when the passage followed a hand that drags; a calculation that was asked for goes on."""
+        if self.phase is Phase.COMPUTING:
+            return self
+        return replace(self, phase=Phase.ROUTE, answer=answer, answer_generation=self.generation, error=None)
+
     def cancelled(self) -> WindowState:
         """State after Cancel: at once, whatever the job still does."""
         return self if self.phase is not Phase.COMPUTING else replace(self, phase=Phase.CANCELLED)

@@ -1,16 +1,19 @@
 """Colours, type and the style sheet: a calm sea by day, after the day palette of IHO S-52.
 
-Everything that is text stands at 4.5 : 1 or better against its ground (WCAG 2.2, AA).
+Everything that is text stands at 4.5 : 1 or better against its ground by day and at dusk (WCAG 2.2, AA);
+by night it is dim and red, so that eyes stay used to the dark.
 """
 
 from __future__ import annotations
 
+import re
+from functools import lru_cache
 from pathlib import Path
 from typing import Final
 
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QColor, QFont, QIcon, QPalette
-from PySide6.QtWidgets import QApplication
+from PySide6.QtGui import QColor, QFont, QIcon, QPalette, QPixmap
+from PySide6.QtWidgets import QApplication, QToolButton, QWidget
 
 ICONS: Final = Path(__file__).resolve().parent / "icons"
 
@@ -34,18 +37,61 @@ ERROR_GROUND: Final = "#FDECEA"
 ERROR_LINE: Final = "#D9746C"
 GOOD_INK: Final = "#1D6B45"
 
-
-def icon(name: str) -> QIcon:
-    """Icon of the window's own set."""
-    return QIcon(str(ICONS / f"{name}.svg"))
+_RED: Final = 12.0 / 360.0
+"""Hue of everything by night."""
 
 
-def apply_style(app: QApplication) -> None:
-    """Give the whole program its look: Fusion, so that it is the same on every system."""
-    app.setStyle("Fusion")
+def icon(name: str, light: str = "day") -> QIcon:
+    """Icon of the window's own set, in the colours of a light; its own suit day and dusk."""
+    if light != "night":
+        return QIcon(str(ICONS / f"{name}.svg"))
+    drawing = (ICONS / f"{name}.svg").read_text(encoding="utf-8")
+    picture = QPixmap()
+    picture.loadFromData(re.sub(r"#[0-9A-Fa-f]{6}\b", tinted(MUTED, light), drawing).encode(), "SVG")
+    return QIcon(picture)
+
+
+def show_icon(button: QToolButton, name: str) -> None:
+    """Give a button an icon that `show_light` finds again."""
+    button.setProperty("iconName", name)
+    button.setIcon(icon(name, str(button.property("light") or "day")))
+
+
+def show_light(window: QWidget, light: str) -> None:
+    """Give all buttons of a window the icons of a light."""
+    for button in window.findChildren(QToolButton):
+        button.setProperty("light", light)
+        if name := button.property("iconName"):
+            button.setIcon(icon(str(name), light))
+
+
+@lru_cache(maxsize=256)
+def tinted(colour: str, light: str) -> str:
+    """Turn a colour of the day into what it is at dusk or by night: dark ground, light ink.
+
+    Parameters
+    ----------
+    light
+        ``"day"``, ``"dusk"`` or ``"night"``.
+    """
+    if light == "day":
+        return colour
+    given = QColor(colour)
+    hue, saturation, lightness = given.hslHueF(), given.hslSaturationF(), given.lightnessF()
+    if light == "dusk":
+        turned = QColor.fromHslF(max(hue, 0.0), 0.55 * saturation, 0.90 - 0.78 * lightness)
+    else:
+        turned = QColor.fromHslF(_RED, 0.45, 0.03 + 0.64 * (1.0 - lightness))
+    return turned.name()
+
+
+def apply_style(app: QApplication, light: str = "day") -> None:
+    """Give the whole program its look for a light: Fusion, so that it is the same on every system."""
+    if app.style().objectName() != "fusion":
+        app.setStyle("Fusion")
     hints = app.styleHints()
     if hasattr(hints, "setColorScheme"):
-        hints.setColorScheme(Qt.ColorScheme.Light)
+        hints.setColorScheme(Qt.ColorScheme.Light if light == "day" else Qt.ColorScheme.Dark)
     palette = QPalette()
     roles = QPalette.ColorRole
     for role, colour in {
@@ -65,11 +111,11 @@ def apply_style(app: QApplication) -> None:
         roles.Mid: LINE,
         roles.Dark: FIELD_LINE,
     }.items():
-        palette.setColor(role, QColor(colour))
+        palette.setColor(role, QColor(tinted(colour, light)))
     for role in (roles.Text, roles.WindowText, roles.ButtonText):
-        palette.setColor(QPalette.ColorGroup.Disabled, role, QColor("#8496A5"))
+        palette.setColor(QPalette.ColorGroup.Disabled, role, QColor(tinted("#8496A5", light)))
     app.setPalette(palette)
-    app.setStyleSheet(style_sheet())
+    app.setStyleSheet(style_sheet(light))
 
 
 def scaled_font(base: QFont, factor: float, *, bold: bool = False) -> QFont:
@@ -84,11 +130,15 @@ def scaled_font(base: QFont, factor: float, *, bold: bool = False) -> QFont:
     return font
 
 
-def style_sheet() -> str:
-    """Qt style sheet of the window."""
+def style_sheet(light: str = "day") -> str:
+    """Qt style sheet of the window for a light."""
+    return re.sub(r"#[0-9A-Fa-f]{6}\b", lambda found: tinted(found[0], light), _sheet())
+
+
+def _sheet() -> str:
     icons = ICONS.as_posix()
     return f"""
-QToolTip {{ background: {INK}; color: white; border: 0; padding: 4px 6px; }}
+QToolTip {{ background: {INK}; color: #FFFFFF; border: 0; padding: 4px 6px; }}
 QMenuBar {{ background: {CARD}; border-bottom: 1px solid {LINE}; padding: 1px 6px; }}
 QMenuBar::item {{ padding: 4px 9px; border-radius: 4px; background: transparent; }}
 QMenuBar::item:selected {{ background: {TINT}; }}
@@ -111,6 +161,11 @@ QLabel#hint {{ color: {MUTED}; }}
 QLabel#fault {{ color: {ERROR_INK}; }}
 QLabel#fineprint {{ color: {MUTED}; }}
 QLabel#good {{ color: {GOOD_INK}; }}
+QLabel[stage="ahead"] {{ color: {MUTED}; }}
+QLabel[stage="runs"] {{ color: {ACCENT}; font-weight: 600; }}
+QLabel[stage="done"] {{ color: {GOOD_INK}; }}
+QLabel#ribbon {{ background: {WARNING_GROUND}; color: {WARNING_INK}; border: 1px solid {WARNING_LINE};
+    border-radius: 6px; padding: 5px 12px; }}
 QLineEdit, QComboBox, QDateEdit, QTimeEdit, QDoubleSpinBox {{
     background: {CARD}; color: {INK}; border: 1px solid {FIELD_LINE}; border-radius: 6px;
     padding: 4px 7px; min-height: 21px; selection-background-color: {ACCENT}; }}
@@ -143,7 +198,7 @@ QPushButton:hover {{ background: {TINT}; border-color: {ACCENT}; }}
 QPushButton:pressed {{ background: #CFE2EF; }}
 QPushButton:focus {{ border: 2px solid {FOCUS}; padding: 4px 11px; }}
 QPushButton:disabled {{ color: #8496A5; background: #F4F7F9; border-color: {LINE}; }}
-QPushButton#primary {{ background: {ACCENT}; color: white; border: 1px solid {ACCENT}; font-weight: 600; }}
+QPushButton#primary {{ background: {ACCENT}; color: #FFFFFF; border: 1px solid {ACCENT}; font-weight: 600; }}
 QPushButton#primary:hover {{ background: {ACCENT_HOVER}; }}
 QPushButton#primary:pressed {{ background: {ACCENT_PRESSED}; }}
 QPushButton#primary:focus {{ border: 2px solid #8CC7EA; }}
@@ -196,7 +251,7 @@ QCalendarWidget QWidget#qt_calendar_navigationbar {{ background: {CARD}; }}
 QCalendarWidget QToolButton {{ border: 0; color: {INK}; font-weight: 600; }}
 QCalendarWidget QToolButton#qt_calendar_prevmonth {{ qproperty-icon: url({icons}/chevron-left.svg); }}
 QCalendarWidget QToolButton#qt_calendar_nextmonth {{ qproperty-icon: url({icons}/chevron-right.svg); }}
-QCalendarWidget QAbstractItemView {{ selection-background-color: {ACCENT}; selection-color: white; }}
+QCalendarWidget QAbstractItemView {{ selection-background-color: {ACCENT}; selection-color: #FFFFFF; }}
 QScrollBar:vertical {{ background: transparent; width: 11px; margin: 0; }}
 QScrollBar:horizontal {{ background: transparent; height: 11px; margin: 0; }}
 QScrollBar::handle {{ background: #B7C7D3; border-radius: 4px; margin: 2px;

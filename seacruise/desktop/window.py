@@ -9,17 +9,9 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
-from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtCore import QTimer, Signal
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent
-from PySide6.QtWidgets import (
-    QFrame,
-    QHBoxLayout,
-    QLabel,
-    QMainWindow,
-    QSplitter,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QApplication, QMainWindow
 
 from seacruise.desktop.about import AboutDialog
 from seacruise.desktop.background import Background, Catalogue
@@ -28,14 +20,18 @@ from seacruise.desktop.compute import Answer, Fetcher, Planner, compute, fetch_w
 from seacruise.desktop.exporting import Exporter
 from seacruise.desktop.form import PassageForm
 from seacruise.desktop.jobs import GarbageKeeper, JobRunner, unexpected
+from seacruise.desktop.layers import Layers
+from seacruise.desktop.layout import lay_out, legs_splitter
 from seacruise.desktop.legs import LegsTable
 from seacruise.desktop.memory import WindowMemory
 from seacruise.desktop.menus import Commands, Menus
-from seacruise.desktop.messages import Message, WayOut, age_h, format_age, is_forecast, message_for
-from seacruise.desktop.side_panel import SidePanel, scroll_area
+from seacruise.desktop.messages import Message, WayOut, message_for
+from seacruise.desktop.side_panel import SidePanel
 from seacruise.desktop.state import Phase, WindowState
+from seacruise.desktop.status import StatusLine
+from seacruise.desktop.steering import Steering
+from seacruise.desktop.style import apply_style, show_light
 from seacruise.errors import NoPassageError, SeaCruiseError
-from seacruise.geodesy import format_position
 
 if TYPE_CHECKING:
     from seacruise.desktop.state import Horizon
@@ -44,8 +40,6 @@ if TYPE_CHECKING:
 
 log = logging.getLogger(__name__)
 
-_FORM_PX: Final = 350
-_SIDE_PX: Final = 344
 _HORIZON_EVERY_MS: Final = 300_000
 _WARM_UP_AFTER_MS: Final = 400
 _WIND_FILES: Final = (".grib", ".grib1", ".grib2", ".grb", ".grb1", ".grb2", ".nc", ".nc4")
@@ -84,17 +78,21 @@ class MainWindow(QMainWindow):
         self.jobs = JobRunner("passage", self)
         self.background = Background(settings, self)
         self.exporter = Exporter(self)
-        self.garbage = GarbageKeeper(lambda: self.jobs.is_running, self)
         self._build()
+        self.steering = Steering(
+            settings, planner, form=self.form, chart=self.chart, state=lambda: self.state, parent=self
+        )
         self._build_menus()
-        self._build_status()
+        self.layers = Layers(settings, self.menus, self.chart.view, self)
+        self.status = StatusLine(self.statusBar())
+        self.garbage = GarbageKeeper(self._is_busy, self)
         self._connect()
         self._horizon_timer = QTimer(self)
         self._horizon_timer.setInterval(_HORIZON_EVERY_MS)
         self._horizon_timer.timeout.connect(lambda: self.background.load_horizon(self.form.forecast))
         if memory is not None:
             self.form.restore(memory.recall("form"))
-            self._restore_layers(memory.recall("layers"))
+            self.layers.restore(memory.recall("layers"))
         self._render()
 
     # --- building -----------------------------------------------------------------------------------
@@ -106,35 +104,8 @@ class MainWindow(QMainWindow):
         self.setAcceptDrops(True)
         self.form, self.chart, self.side = PassageForm(), ChartPane(), SidePanel()
         self.legs = LegsTable()
-        column = QWidget()
-        column_layout = QVBoxLayout(column)
-        column_layout.setContentsMargins(10, 10, 10, 10)
-        column_layout.addWidget(self.form)
-        column_layout.addStretch()
-        upper = QWidget()
-        upper_layout = QHBoxLayout(upper)
-        upper_layout.setContentsMargins(0, 0, 0, 0)
-        upper_layout.setSpacing(0)
-        upper_layout.addWidget(self.chart, 1)
-        upper_layout.addWidget(scroll_area(self.side, _SIDE_PX))
-        self.legs_frame = QFrame()
-        self.legs_frame.setObjectName("legs")
-        legs_layout = QVBoxLayout(self.legs_frame)
-        legs_layout.setContentsMargins(1, 1, 1, 1)
-        legs_layout.addWidget(self.legs)
-        self.splitter = QSplitter(Qt.Orientation.Vertical)
-        self.splitter.addWidget(upper)
-        self.splitter.addWidget(self.legs_frame)
-        self.splitter.setStretchFactor(0, 1)
-        self.splitter.setCollapsible(0, False)
-        self.splitter.setSizes([620, 176])
-        centre = QWidget()
-        layout = QHBoxLayout(centre)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(0)
-        layout.addWidget(scroll_area(column, _FORM_PX))
-        layout.addWidget(self.splitter, 1)
-        self.setCentralWidget(centre)
+        self.splitter, self.legs_frame = legs_splitter(self.chart, self.side, self.legs)
+        self.setCentralWidget(lay_out(self.form, self.splitter))
 
     def _build_menus(self) -> None:
         view = self.chart.view
@@ -152,35 +123,30 @@ class MainWindow(QMainWindow):
                 calculate=self.calculate,
                 cancel=self.cancel,
                 swap=self.form.swap_ends,
+                steer=self._steer,
                 about=self.show_about,
             ),
+            self.steering.avoided.stack,
         )
-
-    def _build_status(self) -> None:
-        self.source_label, self.quota_label, self.position_label = QLabel(), QLabel(), QLabel()
-        self.position_label.setMinimumWidth(self.fontMetrics().horizontalAdvance("00°00.0'N 000°00.0'E") + 20)
-        self.source_label.setAccessibleName(self.tr("Source of the wind"))
-        self.position_label.setAccessibleName(self.tr("Position of the pointer"))
-        self.source_label.setText(self.tr("No wind loaded yet"))
-        self.statusBar().addWidget(self.source_label)
-        for label in (self.quota_label, self.position_label):
-            self.statusBar().addPermanentWidget(label)
-        self.statusBar().setSizeGripEnabled(False)
 
     def _connect(self) -> None:
         form, view = self.form, self.chart.view
         form.submitted.connect(self.calculate)
         form.cancelled.connect(self.cancel)
-        form.ends_changed.connect(lambda: view.choose_ends(form.ends))
         form.forecast_changed.connect(self._forecast_changed)
         self.jobs.progressed.connect(self._progressed)
         self.jobs.finished.connect(self._finished)
         self.jobs.failed.connect(self._failed)
+        self.steering.router.routed.connect(self._rerouted)
+        self.steering.router.failed.connect(self._not_rerouted)
+        self.layers.failed.connect(self._show_trouble)
+        self.layers.light_changed.connect(self._light_changed)
         background = self.background
         background.catalogue_loaded.connect(self._take_catalogue)
         background.horizon_loaded.connect(self._take_horizon)
         background.horizon_failed.connect(self._horizon_failed)
-        background.quota_loaded.connect(self._show_quota)
+        background.layers_loaded.connect(self.steering.show_layers)
+        background.quota_loaded.connect(self.status.show_quota)
         background.polar_added.connect(self._polar_added)
         background.troubled.connect(self._show_trouble)
         background.warmed_up.connect(self.garbage.settle)
@@ -191,15 +157,17 @@ class MainWindow(QMainWindow):
         self.chart.fit_button.clicked.connect(self._fit)
         self.legs.leg_chosen.connect(self._leg_chosen)
         view.leg_picked.connect(self.legs.choose_leg)
-        view.pointed.connect(lambda lat, lon: self.position_label.setText(format_position(lat, lon)))
-        view.left.connect(self.position_label.clear)
-        view.end_picked.connect(self._end_picked)
+        view.pointed.connect(self.status.point)
+        view.left.connect(self.status.position.clear)
+        view.measuring_changed.connect(self.menus.layers["measure"].setChecked)
+        self.chart.measure_button.clicked.connect(self.menus.layers["measure"].toggle)
 
     def load(self, *, warm_up: bool = True) -> None:
         """Load everything that the first picture does not need."""
         self.background.load_catalogue(self.form.wanted_yacht)
         self.background.load_horizon(self.form.forecast)
         self.background.load_quota()
+        self.background.load_layers()
         if warm_up:
             self.ready.connect(lambda: QTimer.singleShot(_WARM_UP_AFTER_MS, self.background.warm_up))
         self._horizon_timer.start()
@@ -215,9 +183,10 @@ class MainWindow(QMainWindow):
         """Compute what the form asks; a second press while it runs is the same press."""
         if self.state.phase is Phase.COMPUTING:
             return
+        self.steering.router.cancel()
         self.chart.view.trouble.mark(None)
         try:
-            question = self.form.question()
+            question = self.steering.question()
         except SeaCruiseError as error:
             self._set(self.state.refused(error))
             return
@@ -239,6 +208,8 @@ class MainWindow(QMainWindow):
         self._set(self.state.finished(generation, answer))
         if self.state.answer is answer:
             self._show_answer(answer)
+            took = answer.passage.search.seconds
+            self.steering.router.note(sum(took.values()) - took.get("sea", 0.0))
         self.background.load_quota()
         self.settled.emit(self.state)
 
@@ -248,6 +219,26 @@ class MainWindow(QMainWindow):
             self.chart.view.trouble.mark(error.place)
         self.background.load_quota()
         self.settled.emit(self.state)
+
+    def _steer(self) -> None:
+        self.steering.enabled = self.menus.live.isChecked()
+        if not self.steering.enabled:
+            self.steering.router.cancel()
+
+    def _rerouted(self, answer: Answer) -> None:
+        """Show a passage that followed a hand."""
+        self._set(self.state.rerouted(answer))
+        if self.state.answer is answer:
+            self.chart.view.trouble.mark(None)
+            self._show_answer(answer, follows=True)
+
+    def _not_rerouted(self, error: SeaCruiseError) -> None:
+        if self.state.phase is not Phase.COMPUTING:
+            self._set(self.state.refused(error))
+            self.chart.view.trouble.mark(error.place if isinstance(error, NoPassageError) else None)
+
+    def _is_busy(self) -> bool:
+        return self.jobs.is_running or self.steering.router.is_busy
 
     # --- showing ------------------------------------------------------------------------------------
 
@@ -273,7 +264,6 @@ class MainWindow(QMainWindow):
         self.chart.fit_button.setEnabled(answered)
         self.chart.view.route.faded = state.answer_is_earlier
         self.chart.view.viewport().update()
-        self._show_layers()
 
     def _show_side(self) -> None:
         self.side.show_state(self.state, self._message, datetime.now(UTC))
@@ -287,47 +277,43 @@ class MainWindow(QMainWindow):
         """Show, in one sentence, a mistake of the program in any slot."""
         self._show_trouble(unexpected(error))
 
-    def _show_answer(self, answer: Answer) -> None:
-        passage = answer.passage
+    def _show_answer(self, answer: Answer, *, follows: bool = False) -> None:
+        """Show a passage; one that follows a hand leaves view and slider where they are."""
+        passage, view, bar = answer.passage, self.chart.view, self.chart.time_bar
         self.legs.show_passage(passage)
-        self.chart.view.show_answer(answer)
-        self.chart.time_bar.set_span(passage.departure, passage.arrival)
+        self.status.show_answer(answer)
+        view.show_answer(answer)
+        bar.strip.show_track(passage.track)
+        if follows:
+            bar.shift_span(passage.departure, passage.arrival)
+        else:
+            bar.set_span(passage.departure, passage.arrival)
+            # The table takes room of the chart; what fits is known when that has happened.
+            QTimer.singleShot(0, self._fit)
         self.chart.show_ribbon(passage.forecast.notice)
-        self._show_lattice()
-        self._show_layers()
-        # The table takes room of the chart; what fits is known when that has happened.
-        QTimer.singleShot(0, self._fit)
-        forecast = passage.forecast
-        age = ""
-        if forecast.issued is not None and is_forecast(forecast):
-            age = self.tr(", {age} old").format(age=format_age(age_h(forecast.issued, datetime.now(UTC))))
-        self.source_label.setText(self.tr("Wind: {source}").format(source=forecast.source) + age)
+        self.steering.show_layers(answer.layers)
+        self.layers.show_answer(answer)
+        self.legs_frame.setVisible(self.layers.is_on("legs"))
 
     def _show_layers(self) -> None:
-        checked = {name: action.isChecked() for name, action in self.menus.layers.items()}
-        view = self.chart.view
-        view.wind.setVisible(checked["wind"])
-        view.ports.names_shown = checked["ports"]
-        view.viewport().update()
-        self.legs_frame.setVisible(checked["legs"] and self.state.answer is not None)
-        self._show_lattice()
+        self.legs_frame.setVisible(self.layers.is_on("legs") and self.state.answer is not None)
+        self.layers.apply()
+        self.chart.measure_button.setChecked(self.layers.is_on("measure"))
 
-    def _show_lattice(self) -> None:
-        answer = self.state.answer
-        shown = self.menus.layers["lattice"].isChecked() and answer is not None
-        self.chart.view.coast.show_lattice(answer.passage.lattice_edges if shown and answer else None)
-        self.chart.view.refresh_coast()
-
-    def _restore_layers(self, kept: dict[str, Any]) -> None:
-        for name, action in self.menus.layers.items():
-            if isinstance(kept.get(name), bool):
-                action.setChecked(kept[name])
+    def _light_changed(self, light: str) -> None:
+        self.legs.legs.show_light(light)
+        self.chart.time_bar.strip.show_light(light)
+        show_light(self, light)
+        app = QApplication.instance()
+        if isinstance(app, QApplication):
+            apply_style(app, light)
 
     def _fit(self) -> None:
         if self.state.answer is not None:
             self.chart.view.fit_passage(self.state.answer)
 
     def _time_moved(self, moment: datetime) -> None:
+        self.status.show_time(moment)
         if self.state.answer is not None:
             self.chart.view.show_time(self.state.answer, moment.timestamp())
 
@@ -336,10 +322,6 @@ class MainWindow(QMainWindow):
         self.chart.view.route.choose_leg(None if number < 0 else number)
         if answer is not None and 0 <= number < len(answer.passage.waypoints):
             self.chart.time_bar.set_moment(answer.passage.waypoints[number].time)
-
-    def _end_picked(self, which: str, lat: float, lon: float) -> None:
-        field = self.form.start_field if which == "from" else self.form.end_field
-        field.set_position(lat, lon)
 
     def show_about(self) -> None:
         """Open the dialog about the program."""
@@ -361,10 +343,13 @@ class MainWindow(QMainWindow):
 
     def _forecast_changed(self) -> None:
         self.form.departure.set_horizon(None, datetime.now(UTC))
+        self.chart.time_bar.set_horizon(None)
         self.background.load_horizon(self.form.forecast)
 
     def _take_horizon(self, horizon: Horizon) -> None:
         self.form.departure.set_horizon(horizon, datetime.now(UTC))
+        self.chart.time_bar.set_horizon(horizon)
+        self.chart.time_bar.set_departure(self.form.departure.moment)
         self._loaded("horizon")
 
     def _horizon_failed(self, error: SeaCruiseError) -> None:
@@ -377,17 +362,9 @@ class MainWindow(QMainWindow):
             if not self._awaited:
                 self.ready.emit()
 
-    def _show_quota(self, quota: tuple[int, int] | None) -> None:
-        text = ""
-        if quota is not None:
-            text = self.tr("Storm Glass: {left} of {daily} requests left today").format(
-                left=quota[0], daily=quota[1]
-            )
-        self.quota_label.setText(text)
-
     def _polar_added(self, name: str) -> None:
         self.background.load_catalogue(name)
-        self.statusBar().showMessage(self.tr("{yacht} is in your fleet now.").format(yacht=name), 6000)
+        self.status.say(self.tr("{yacht} is in your fleet now.").format(yacht=name), 6.0)
 
     # --- ways out and files -------------------------------------------------------------------------
 
@@ -413,7 +390,7 @@ class MainWindow(QMainWindow):
             self.exporter.ask_png(self.state.answer.passage, self.state.answer.wind)
 
     def _saved(self, path: Path) -> None:
-        self.statusBar().showMessage(self.tr("Saved {path}").format(path=path), 8000)
+        self.status.say(self.tr("Saved {path}").format(path=path), 8.0)
 
     # --- Qt's events --------------------------------------------------------------------------------
 
@@ -437,13 +414,15 @@ class MainWindow(QMainWindow):
         """Remember, cancel, and leave; a calculation that runs is dropped cleanly."""
         if self._memory is not None:
             self._memory.keep("form", self.form.contents())
-            self._memory.keep("layers", {n: a.isChecked() for n, a in self.menus.layers.items()})
+            self._memory.keep("layers", self.layers.contents())
             self._memory.keep_geometry(self, self.splitter)
             self._memory.flush()
         self.hide()
         self._horizon_timer.stop()
         self.garbage.stop()
         self.jobs.shut_down()
+        self.steering.router.shut_down()
+        self.layers.jobs.shut_down()
         self.chart.view.painter_jobs.shut_down()
         self.background.shut_down()
         self.exporter.shut_down()

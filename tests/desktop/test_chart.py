@@ -194,7 +194,7 @@ def test_cells_hold_all_land_once() -> None:
 @pytest.mark.parametrize("zoom", [1.0, 3.0, 14.0])
 def test_land_is_buff_and_the_sea_is_pale_at_every_zoom(view: ChartView, qtbot: QtBot, zoom: float) -> None:
     view.zoom(zoom)
-    for lat, lon, colour in ((57.30, 18.30, palette.LAND), (57.0, 19.9, palette.WATER)):
+    for lat, lon, colour in ((57.30, 18.30, palette.DAY.land), (57.0, 19.9, palette.DAY.water)):
         view.show_place(lat, lon)
         settle(view, qtbot)
         at = [colour_at(view, lat + d, lon + e) for d in (0.0, 0.012) for e in (0.0, 0.012)]
@@ -219,10 +219,10 @@ def test_ports_of_one_rank_have_room(places: list[tuple[float, float]]) -> None:
 
 def test_chosen_ports_are_marked(view: ChartView, qtbot: QtBot) -> None:
     visby = Port("Visby", "SE", 57.6389, 18.2833)
-    view.choose_ends([visby])
+    view.choose_ends({"from": visby})
     view.show_place(visby.lat, visby.lon)
     settle(view, qtbot)
-    assert colour_at(view, visby.lat, visby.lon) == palette.MAGENTA
+    assert colour_at(view, visby.lat, visby.lon) == palette.DAY.magenta
 
 
 # --- moving --------------------------------------------------------------------------------------------
@@ -336,7 +336,7 @@ def test_the_boat_is_where_she_is_at_the_time(view: ChartView, answer: Answer, q
 
     def magenta() -> int:
         image = view.grab().toImage()
-        return sum(image.pixelColor(place) == palette.MAGENTA for place in around)
+        return sum(image.pixelColor(place) == palette.DAY.magenta for place in around)
 
     assert magenta() == 0
     view.show_time(answer, float(track.time[number]))
@@ -347,17 +347,17 @@ def test_trouble_is_marked(view: ChartView, qtbot: QtBot) -> None:
     view.show_place(57.0, 19.9)
     settle(view, qtbot)
     view.trouble.mark((57.0, 19.9))
-    assert colour_at(view, 57.0, 19.9) == palette.TROUBLE
+    assert colour_at(view, 57.0, 19.9) == palette.DAY.trouble
     view.trouble.mark(None)
-    assert colour_at(view, 57.0, 19.9) == palette.WATER
+    assert colour_at(view, 57.0, 19.9) == palette.DAY.water
 
 
 def test_the_lattice_darkens_the_water(view: ChartView, qtbot: QtBot) -> None:
     view.fit(rectangle(56.9, 19.6, 57.1, 20.2))
     settle(view, qtbot)
-    assert colour_at(view, 57.013, 19.913) == palette.WATER
+    assert colour_at(view, 57.013, 19.913) == palette.DAY.water
     view.coast.show_lattice(np.array([[57.013, 19.5, 57.013, 20.3]], dtype=np.float32))
     view.refresh_coast()
     settle(view, qtbot)
     shades = [colour_at(view, 57.013 + d / 2000, 19.913).lightness() for d in range(-3, 4)]
-    assert min(shades) < palette.WATER.lightness()
+    assert min(shades) < palette.DAY.water.lightness()

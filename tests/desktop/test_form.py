@@ -180,7 +180,7 @@ def test_what_is_changed_in_the_form_counts(form: PassageForm) -> None:
 
 def test_ends_are_swapped(form: PassageForm) -> None:
     form.swap_button.click()
-    assert [port.name for port in form.ends] == ["Stockholm", "Gdynia"]
+    assert {which: port.name for which, port in form.ends.items()} == {"from": "Stockholm", "to": "Gdynia"}
 
 
 def test_the_same_port_twice_is_refused(form: PassageForm) -> None:

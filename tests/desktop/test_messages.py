@@ -65,7 +65,7 @@ def test_practice_weather_is_called_so_before_anything_else() -> None:
 def test_an_old_forecast_is_called_old(hours: float, warned: bool) -> None:
     passage = hand_made_passage()
     now = datetime(2016, 11, 20, 12, tzinfo=UTC)
-    forecast = replace(passage.forecast, notice="", issued=now - timedelta(hours=hours))
+    forecast = replace(passage.forecast, notice="", real=True, issued=now - timedelta(hours=hours))
     messages = notices_of(replace(passage, forecast=forecast, notices=()), now)
     assert bool(messages) == warned
     assert all(message.kind == "warning" for message in messages)
@@ -75,7 +75,7 @@ def test_partial_and_stale_data_are_told_as_what_they_are() -> None:
     passage = hand_made_passage()
     now = datetime(2016, 11, 20, 12, tzinfo=UTC)
     notice = "3 of 12 points did not answer."
-    forecast = replace(passage.forecast, notice=notice, issued=now - timedelta(hours=20))
+    forecast = replace(passage.forecast, notice=notice, real=True, issued=now - timedelta(hours=20))
     partial, stale = notices_of(replace(passage, forecast=forecast, notices=(notice,)), now)
     assert (partial.title, partial.sentence) == ("About this forecast", notice)
     assert "20 h old" in stale.title

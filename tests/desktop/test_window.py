@@ -216,7 +216,7 @@ def test_no_passage_marks_the_place(window: MainWindow, planner: HeldPlanner, qt
     assert window.side.banner.button is not None
     window.side.banner.button.click()
     at = window.chart.view.viewport().rect().center()
-    lat, lon = window.chart.view._position_at(QPointF(at))
+    lat, lon = window.chart.view.position_at(QPointF(at))
     assert (lat, lon) == pytest.approx((59.3, 18.9), abs=0.1)
 
 
@@ -280,7 +280,7 @@ def test_the_slider_plays_the_passage(answered: MainWindow, qtbot: QtBot) -> Non
 
 def test_the_pointer_tells_its_position(window: MainWindow) -> None:
     QTest.mouseMove(window.chart.view.viewport(), QPoint(200, 200))
-    assert re.fullmatch(r"\d\d°\d\d\.\d'N \d{3}°\d\d\.\d'E", window.position_label.text())
+    assert re.fullmatch(r"\d\d°\d\d\.\d'N \d{3}°\d\d\.\d'E", window.status.position.text())
 
 
 def test_a_position_on_the_chart_becomes_an_end(window: MainWindow) -> None:

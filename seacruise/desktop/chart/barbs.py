@@ -12,7 +12,7 @@ from functools import lru_cache
 from typing import Final
 
 from PySide6.QtCore import QLineF, QPointF, QSize, Qt
-from PySide6.QtGui import QColor, QPainter, QPen, QPixmap, QPolygonF
+from PySide6.QtGui import QColor, QPainter, QPen, QPixmap, QPolygonF, QRegion
 
 SHAFT_PX: Final = 30.0
 _FEATHER_PX: Final = 11.0
@@ -90,10 +90,12 @@ class BarbSprites:
     def __init__(self, colour: QColor, halo: QColor) -> None:
         self._colour = colour
         self._halo = halo
-        self._sprites: dict[tuple[int, int, int, float], QPixmap] = {}
+        self._sprites: dict[tuple[int, int, int, float], tuple[QPixmap, float, float]] = {}
 
-    def sprite(self, fives: int, direction: int, *, side: int, density: float) -> QPixmap:
-        """Square picture with the station in its middle."""
+    def sprite(
+        self, fives: int, direction: int, *, side: int, density: float
+    ) -> tuple[QPixmap, float, float]:
+        """Picture, and from its left and upper edge to the station [pixels]."""
         key = (fives, 0 if fives == 0 else direction, side, density)
         if (known := self._sprites.get(key)) is not None:
             return known
@@ -107,13 +109,13 @@ class BarbSprites:
         for colour, width in ((self._halo, 3.4), (self._colour, 1.5)):
             _stroke(painter, make_barb(fives, side), colour, width)
         painter.end()
-        self._sprites[key] = pixmap
-        return pixmap
-
-    @property
-    def offset(self) -> float:
-        """From the corner of a sprite to its station [pixels]."""
-        return _SIDE_PX / 2
+        # Blending what is empty would take most of the time of the layer.
+        box = QRegion(pixmap.mask()).boundingRect()
+        cut = pixmap.copy(box)
+        cut.setDevicePixelRatio(density)
+        middle = _SIDE_PX / 2
+        made = self._sprites[key] = (cut, middle - box.left() / density, middle - box.top() / density)
+        return made
 
 
 def _stroke(painter: QPainter, barb: Barb, colour: QColor, width: float) -> None:

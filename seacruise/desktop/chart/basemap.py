@@ -17,8 +17,8 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QLineF, QRect, QRectF, Qt
 from PySide6.QtGui import QBrush, QColor, QImage, QPainter, QPainterPath, QPen, QPolygonF, QTransform
 
-from seacruise.desktop.chart import palette
 from seacruise.desktop.chart.land import LandCells, Points, cell_box
+from seacruise.desktop.chart.palette import DAY, Palette
 from seacruise.desktop.chart.plane import CHARTED, to_plane
 from seacruise.sea.coast import CHART_LEVELS
 
@@ -49,6 +49,8 @@ class Extent:
         Pixels.
     density
         Physical pixels per pixel.
+    colours
+        Of the light there is.
     """
 
     left: float
@@ -57,6 +59,7 @@ class Extent:
     width: int
     height: int
     density: float
+    colours: Palette = DAY
 
     def rectangle(self) -> QRectF:
         """Pictured rectangle of the plane."""
@@ -109,7 +112,7 @@ class Painter:
             QImage.Format.Format_RGB32,
         )
         image.setDevicePixelRatio(extent.density)
-        image.fill(palette.WATER)
+        image.fill(extent.colours.water)
         painter = QPainter(image)
         try:
             self._paint_land(painter, extent, job)
@@ -125,9 +128,9 @@ class Painter:
         level = sum(metres < limit for limit in _LEVEL_BELOW_M_PX)
         depth = round(math.log2(max(CHARTED.width() * extent.scale / _CELL_PX, 1.0)))
         depth = min(depth, _DEEPEST)
-        pen = QPen(palette.SHORE, 1.0)
+        pen = QPen(extent.colours.shore, 1.0)
         pen.setCosmetic(True)
-        brush = QBrush(palette.LAND)
+        brush = QBrush(extent.colours.land)
         view = extent.rectangle()
         count = 2**depth
         columns = _span(view.left(), view.right(), CHARTED.left(), CHARTED.width() / count, count)
@@ -190,9 +193,9 @@ def _paint_uncharted(painter: QPainter, extent: Extent) -> None:
     inner = QPainterPath()
     inner.addRect(charted)
     beyond = beyond.subtracted(inner)
-    painter.fillPath(beyond, palette.UNCHARTED)
-    painter.fillPath(beyond, QBrush(palette.UNCHARTED_HATCH, Qt.BrushStyle.BDiagPattern))
-    painter.setPen(QPen(palette.UNCHARTED_HATCH, 1.0))
+    painter.fillPath(beyond, extent.colours.uncharted)
+    painter.fillPath(beyond, QBrush(extent.colours.uncharted_hatch, Qt.BrushStyle.BDiagPattern))
+    painter.setPen(QPen(extent.colours.uncharted_hatch, 1.0))
     painter.setBrush(Qt.BrushStyle.NoBrush)
     painter.drawRect(charted)
 
@@ -212,7 +215,7 @@ def _paint_lattice(painter: QPainter, extent: Extent, lattice: NDArray[np.float3
     )
     lines = lines[seen]
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-    ink = QColor(palette.LATTICE)
+    ink = QColor(extent.colours.lattice)
     # Where edges are hardly longer than they are apart from the next, full ink would be a blue wall.
     length = (
         float(np.median(np.hypot(lines[:, 2] - lines[:, 0], lines[:, 3] - lines[:, 1])))

@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QPainter, QTransform
 
-from seacruise.desktop.chart import palette
 from seacruise.desktop.chart.basemap import Extent, Painter, Picture
 from seacruise.desktop.chart.layer import Layer
+from seacruise.desktop.chart.palette import Palette
 
 if TYPE_CHECKING:
     from seacruise.desktop.jobs import JobRunner
@@ -46,7 +46,13 @@ class CoastLayer(Layer):
 
     def show_lattice(self, edges: NDArray[np.float32] | None) -> None:
         """Show the edges of a lattice ``(n, 4)``, or none."""
-        self._lattice = edges
+        if edges is not self._lattice:
+            self._lattice = edges
+            self._stale = True
+
+    def set_palette(self, colours: Palette) -> None:
+        """Paint anew in the colours of another light."""
+        super().set_palette(colours)
         self._stale = True
 
     @property
@@ -74,6 +80,7 @@ class CoastLayer(Layer):
             width=width,
             height=height,
             density=density,
+            colours=self.colours,
         )
         painter, lattice = self._painter, self._lattice
         self._wanted, self._stale = extent, False
@@ -89,14 +96,16 @@ class CoastLayer(Layer):
 
     def draw(self, painter: QPainter, to_pixels: QTransform, view: QRectF) -> None:
         """Draw the last picture where it belongs, stretched while a better one is painted."""
-        painter.fillRect(view, palette.WATER)
         if self._picture is None:
+            painter.fillRect(view, self.colours.water)
             return
         extent = self._picture.extent
         corner = to_pixels.map(QPointF(extent.left, extent.top))
         stretch = to_pixels.m11() / extent.scale
+        target = QRectF(corner.x(), corner.y(), extent.width * stretch, extent.height * stretch)
+        if not target.contains(view):
+            painter.fillRect(view, self.colours.water)
         if abs(stretch - 1.0) < 1e-9:
             painter.drawImage(QPointF(round(corner.x()), round(corner.y())), self._picture.image)
         else:
-            target = QRectF(corner.x(), corner.y(), extent.width * stretch, extent.height * stretch)
             painter.drawImage(target, self._picture.image)

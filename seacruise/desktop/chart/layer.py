@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 from functools import lru_cache
 from typing import Final
 
@@ -12,12 +13,14 @@ from PySide6.QtGui import (
     QFont,
     QFontMetricsF,
     QPainter,
+    QPen,
     QPixmap,
     QTransform,
 )
 from PySide6.QtWidgets import QGraphicsItem, QStyleOptionGraphicsItem, QWidget
 
-from seacruise.desktop.chart import palette
+from seacruise.desktop.chart.labels import Labels
+from seacruise.desktop.chart.palette import DAY, Palette
 
 _HALO_PX: Final = 3.0
 _AROUND: Final = tuple((1.6 * math.cos(k * math.pi / 4), 1.6 * math.sin(k * math.pi / 4)) for k in range(8))
@@ -33,6 +36,13 @@ class Layer(QGraphicsItem):
     def __init__(self, bounds: QRectF) -> None:
         super().__init__()
         self._bounds = bounds
+        self.colours: Palette = DAY
+        self.labels = Labels()
+
+    def set_palette(self, colours: Palette) -> None:
+        """Draw in the colours of another light from now on."""
+        self.colours = colours
+        self.update()
 
     def boundingRect(self) -> QRectF:
         """Whole chart."""
@@ -59,7 +69,7 @@ class Layer(QGraphicsItem):
 
 
 @lru_cache(maxsize=1500)
-def _text_sprite(text: str, font: str, colour: int, density: float) -> tuple[QPixmap, float]:
+def _text_sprite(text: str, font: str, ink: tuple[int, int], density: float) -> tuple[QPixmap, float]:
     """Picture of a text with its halo, and from its top to the base line [pixels]."""
     face = QFont()
     face.fromString(font)
@@ -71,26 +81,119 @@ def _text_sprite(text: str, font: str, colour: int, density: float) -> tuple[QPi
     pixmap.fill(Qt.GlobalColor.transparent)
     painter = QPainter(pixmap)
     painter.setFont(face)
-    painter.setPen(palette.HALO)
+    painter.setPen(QColor.fromRgba(ink[1]))
     # Stroking the outlines looks the same and takes ten times as long.
     for dx, dy in _AROUND:
         painter.drawText(base + QPointF(dx, dy), text)
-    painter.setPen(QColor.fromRgba(colour))
+    painter.setPen(QColor.fromRgba(ink[0]))
     painter.drawText(base, text)
     painter.end()
     return pixmap, base.y()
 
 
-def halo_text(painter: QPainter, x: float, y: float, text: str, colour: QColor) -> None:
+def halo_text(painter: QPainter, at: QPointF, text: str, colour: QColor, halo: QColor) -> None:
     """Draw a text with its base line at a point, legible on any ground.
 
     Sixty names with halos take longer than the rest of a frame, so each is made once.
     """
     density = painter.device().devicePixelRatio()
-    sprite, base = _text_sprite(text, painter.font().toString(), colour.rgba(), density)
-    painter.drawPixmap(QPointF(round(x - _HALO_PX), round(y - base)), sprite)
+    sprite, base = _text_sprite(text, painter.font().key(), (colour.rgba(), halo.rgba()), density)
+    painter.drawPixmap(QPointF(round(at.x() - _HALO_PX), round(at.y() - base)), sprite)
 
 
 def text_width(font: QFont, text: str) -> float:
     """Width of a text [pixels]."""
-    return QFontMetricsF(font).horizontalAdvance(text)
+    return _text_width(font.key(), text)
+
+
+@lru_cache(maxsize=1500)
+def _text_width(font: str, text: str) -> float:
+    face = QFont()
+    face.fromString(font)
+    return QFontMetricsF(face).horizontalAdvance(text)
+
+
+@lru_cache(maxsize=64)
+def _dot_sprite(radius: float, ink: tuple[int, int], density: float) -> QPixmap:
+    """Picture of a dot of a colour with a rim."""
+    side = math.ceil(2 * radius) + 6
+    pixmap = QPixmap(QSize(side, side) * density)
+    pixmap.setDevicePixelRatio(density)
+    pixmap.fill(Qt.GlobalColor.transparent)
+    painter = QPainter(pixmap)
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    painter.setPen(QPen(QColor.fromRgba(ink[1]), 1.5))
+    painter.setBrush(QColor.fromRgba(ink[0]))
+    painter.drawEllipse(QPointF(side / 2, side / 2), radius, radius)
+    painter.end()
+    return pixmap
+
+
+def draw_dot(painter: QPainter, at: QPointF, radius: float, colour: QColor, rim: QColor) -> None:
+    """Draw a dot, from a picture that is made once."""
+    density = painter.device().devicePixelRatio()
+    sprite = _dot_sprite(radius, (colour.rgba(), rim.rgba()), density)
+    half = sprite.width() / density / 2
+    painter.drawPixmap(QPointF(round(at.x() - half), round(at.y() - half)), sprite)
+
+
+@dataclass(frozen=True, slots=True)
+class NamedDot:
+    """Picture of a dot with its name beside it.
+
+    Attributes
+    ----------
+    left, top
+        From the dot's middle to the picture's edges [pixels].
+    name
+        Place of the name as left, top, right and bottom, seen from the dot's middle.
+    """
+
+    picture: QPixmap
+    left: float
+    top: float
+    name: tuple[float, float, float, float]
+
+
+@lru_cache(maxsize=1000)
+def named_dot(
+    name: str, font: str, inks: tuple[int, int, int], density: float, *, to_left: bool, radius: float
+) -> NamedDot:
+    """Make a dot with its name to the right or to the left.
+
+    Parameters
+    ----------
+    inks
+        Of dot and name, of the dot's rim, and of the halo.
+    """
+    text, _base = _text_sprite(name, font, (inks[0], inks[2]), density)
+    dot = _dot_sprite(radius, inks[:2], density)
+    width, height = text.width() / density, text.height() / density
+    side, gap = dot.width() / density, radius + 4.0
+    reach, half = side / 2, max(height, side) / 2
+    total = reach + gap + width
+    middle = total - reach if to_left else reach
+    picture = QPixmap(math.ceil(total * density) + 1, math.ceil(2 * half * density) + 1)
+    picture.setDevicePixelRatio(density)
+    picture.fill(Qt.GlobalColor.transparent)
+    painter = QPainter(picture)
+    painter.drawPixmap(QPointF(round(middle - reach), round(half - reach)), dot)
+    begin = middle - gap - width + _HALO_PX if to_left else middle + gap - _HALO_PX
+    painter.drawPixmap(QPointF(round(begin), round(half - height / 2)), text)
+    painter.end()
+    edge = begin - middle + _HALO_PX
+    tall = height / 2 - _HALO_PX
+    return NamedDot(picture, middle, half, (edge, -tall, edge + width - 2 * _HALO_PX, tall))
+
+
+class LabelLayer(Layer):
+    """Draws what other layers have written, above barbs and route."""
+
+    def draw(self, painter: QPainter, to_pixels: QTransform, view: QRectF) -> None:
+        """Draw all of it."""
+        del to_pixels, view
+        before = painter.font()
+        for label in self.labels.written:
+            painter.setFont(label.font)
+            halo_text(painter, label.base, label.text, label.ink, self.colours.halo)
+        painter.setFont(before)

@@ -2,40 +2,97 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QCoreApplication, QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QPainter, QPen, QTransform
+import math
 
-from seacruise.desktop.chart import palette
-from seacruise.desktop.chart.layer import Layer
+from PySide6.QtCore import QCoreApplication, QPointF, QRectF, QSizeF, Qt
+from PySide6.QtGui import QColor, QFont, QFontMetricsF, QLinearGradient, QPainter, QPen, QPixmap, QTransform
+
+from seacruise.desktop.chart.field_layer import FIELD_STOPS
+from seacruise.desktop.chart.layer import Layer, text_width
+from seacruise.desktop.chart.palette import dimmed
+from seacruise.desktop.chart.schemes import SCHEMES, Scheme
 from seacruise.desktop.style import scaled_font
 
 _SWATCH_PX = 38.0
+_MARGIN_PX = 10.0
+_SIZE = 0.85
 
 
 class LegendLayer(Layer):
-    """Swatches with their spans of true wind speed, at the lower right."""
+    """Swatches with their classes, at the lower right; above them the colour field's, while it is shown."""
+
+    def __init__(self, bounds: QRectF) -> None:
+        super().__init__(bounds)
+        self._scheme = SCHEMES["tws"]
+        self.field_shown = False
+        self._picture: tuple[tuple[object, ...], QPixmap] | None = None
+
+    def show_scheme(self, scheme: Scheme) -> None:
+        """Explain another meaning of the colours."""
+        self._scheme = scheme
+        self.update()
+
+    def _swatch_px(self, font: QFont) -> float:
+        widest = max(text_width(font, name) for name in self._scheme.names())
+        return max(_SWATCH_PX, math.ceil(widest) + 7.0)
+
+    def card(self, view: QRectF, base: QFont) -> QRectF:
+        """Where the legend is in a view [pixels], in a smaller size of a font."""
+        font = scaled_font(base, _SIZE)
+        width = len(self._scheme.colours) * self._swatch_px(font) + 2 * _MARGIN_PX
+        height = (2 * QFontMetricsF(font).height() + 18) * (2 if self.field_shown else 1) + 6
+        return QRectF(view.right() - width - 12, view.bottom() - height - 26, width, height)
 
     def draw(self, painter: QPainter, to_pixels: QTransform, view: QRectF) -> None:
-        """Draw the legend on a card of its own."""
+        """Draw the legend, from a picture that is made anew when it says something else."""
         del to_pixels
-        painter.setFont(scaled_font(painter.font(), 0.85))
+        card = self.card(view, painter.font())
+        font, density = scaled_font(painter.font(), _SIZE), painter.device().devicePixelRatio()
+        key = (self._scheme.key, self.colours.name, self.field_shown, font.key(), density)
+        if self._picture is None or self._picture[0] != key:
+            size = (card.size() + QSizeF(2, 2)) * density
+            picture = QPixmap(size.toSize())
+            picture.setDevicePixelRatio(density)
+            picture.fill(Qt.GlobalColor.transparent)
+            on = QPainter(picture)
+            on.setRenderHint(QPainter.RenderHint.Antialiasing)
+            on.setFont(font)
+            self._draw_card(on, QRectF(QPointF(1, 1), card.size()))
+            on.end()
+            self._picture = (key, picture)
+        painter.drawPixmap(QPointF(round(card.left() - 1), round(card.top() - 1)), self._picture[1])
+
+    def _draw_card(self, painter: QPainter, card: QRectF) -> None:
         line = painter.fontMetrics().height()
-        count = len(palette.WIND_COLOURS)
-        width = count * _SWATCH_PX + 20
-        height = 2 * line + 24
-        card = QRectF(view.right() - width - 12, view.bottom() - height - 26, width, height)
-        painter.setPen(QPen(QColor("#CFDAE3"), 1.0))
-        painter.setBrush(QColor(255, 255, 255, 235))
+        painter.setPen(QPen(self.colours.card_line, 1.0))
+        painter.setBrush(self.colours.card)
         painter.drawRoundedRect(card, 8, 8)
-        painter.setPen(palette.PORT)
-        title = QCoreApplication.translate("legend", "Wind on the route (TWS, kn)")
-        painter.drawText(QPointF(card.left() + 10, card.top() + line + 2), title)
-        top = card.top() + line + 8
-        for number, colour in enumerate(palette.WIND_COLOURS):
-            swatch = QRectF(card.left() + 10 + number * _SWATCH_PX, top, _SWATCH_PX, 7)
-            painter.fillRect(swatch, colour)
-            painter.drawText(
-                QRectF(swatch.left() - 4, swatch.bottom() + 1, _SWATCH_PX + 8, line + 3),
-                Qt.AlignmentFlag.AlignCenter,
-                palette.wind_class_name(number),
-            )
+        painter.setPen(self.colours.ink)
+        top = card.top() + 2
+        if self.field_shown:
+            self._draw_field(painter, card, top, line)
+            top += 2 * line + 18
+        left, wide = card.left() + _MARGIN_PX, self._swatch_px(painter.font())
+        painter.drawText(QPointF(left, top + line), self._scheme.title())
+        for number, (colour, name) in enumerate(zip(self._scheme.colours, self._scheme.names(), strict=True)):
+            swatch = QRectF(left + number * wide, top + line + 6, wide, 7)
+            painter.fillRect(swatch, dimmed(colour, self.colours))
+            _write_under(painter, swatch.center().x(), swatch.bottom(), name)
+
+    def _draw_field(self, painter: QPainter, card: QRectF, top: float, line: int) -> None:
+        left, width = card.left() + _MARGIN_PX, card.width() - 2 * _MARGIN_PX
+        title = QCoreApplication.translate("legend", "Wind on the chart (kn)")
+        painter.drawText(QPointF(left, top + line), title)
+        bar = QRectF(left, top + line + 6, width, 7)
+        ramp = QLinearGradient(bar.topLeft(), bar.topRight())
+        most = FIELD_STOPS[-1][0]
+        for knots, colour in FIELD_STOPS:
+            ramp.setColorAt(knots / most, dimmed(QColor(colour), self.colours))
+        painter.fillRect(bar, ramp)
+        for knots in range(0, round(most), 10):
+            _write_under(painter, left + knots / most * width, bar.bottom(), f"{knots}")
+
+
+def _write_under(painter: QPainter, x: float, y: float, text: str) -> None:
+    room = QRectF(x - 2 * _SWATCH_PX, y + 1, 4 * _SWATCH_PX, painter.fontMetrics().height() + 3)
+    painter.drawText(room, Qt.AlignmentFlag.AlignCenter, text)

@@ -1,26 +1,142 @@
-"""Colours of the chart, after the day palette of IHO S-52: pale water, buff land, magenta for the route."""
+"""Colours of the chart, after IHO S-52: by day, at dusk, and by night for eyes that are used to the dark."""
 
 from __future__ import annotations
 
 from bisect import bisect_right
+from dataclasses import dataclass, fields
 from typing import Final
 
 from PySide6.QtGui import QColor
 
-WATER: Final = QColor("#E4F1F8")
-LAND: Final = QColor("#EFE2BD")
-SHORE: Final = QColor("#9C8552")
-UNCHARTED: Final = QColor("#E3E8EC")
-UNCHARTED_HATCH: Final = QColor("#CBD5DC")
-GRATICULE: Final = QColor(60, 105, 140, 52)
-GRATICULE_TEXT: Final = QColor("#4A6A83")
-LATTICE: Final = QColor(18, 92, 138, 60)
-BARB: Final = QColor("#2C4A63")
-PORT: Final = QColor("#14304A")
-HALO: Final = QColor(255, 255, 255, 225)
-MAGENTA: Final = QColor("#B0157A")
-CASING: Final = QColor("#FFFFFF")
-TROUBLE: Final = QColor("#B3261E")
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Palette:
+    """Colours for one light.
+
+    Attributes
+    ----------
+    ink
+        Names and lines that must be read.
+    casing, keel
+        Rim of symbols, and of the route.
+    night
+        Shade under those parts of the route that are sailed in the dark.
+    card, card_line
+        Ground and frame of legend and read-outs.
+    field_alpha
+        How much of the wind's colour field covers the chart, 0 to 255.
+    """
+
+    name: str
+    water: QColor
+    land: QColor
+    shore: QColor
+    uncharted: QColor
+    uncharted_hatch: QColor
+    graticule: QColor
+    graticule_text: QColor
+    lattice: QColor
+    barb: QColor
+    ink: QColor
+    halo: QColor
+    magenta: QColor
+    casing: QColor
+    keel: QColor
+    night: QColor
+    trouble: QColor
+    isochrone: QColor
+    zone: QColor
+    sun: QColor
+    card: QColor
+    card_line: QColor
+    focus: QColor
+    field_alpha: int
+
+
+def _palette(name: str, field_alpha: int, **colours: str) -> Palette:
+    """Palette of colours written ``#RRGGBB`` or ``#AARRGGBB``."""
+    return Palette(name=name, field_alpha=field_alpha, **{key: QColor(text) for key, text in colours.items()})
+
+
+DAY: Final = _palette(
+    "day",
+    112,
+    water="#E4F1F8",
+    land="#EFE2BD",
+    shore="#9C8552",
+    uncharted="#E3E8EC",
+    uncharted_hatch="#CBD5DC",
+    graticule="#343C698C",
+    graticule_text="#4A6A83",
+    lattice="#3C125C8A",
+    barb="#2C4A63",
+    ink="#14304A",
+    halo="#E1FFFFFF",
+    magenta="#B0157A",
+    casing="#FFFFFF",
+    keel="#14304A",
+    night="#55203060",
+    trouble="#B3261E",
+    isochrone="#0B5C8A",
+    zone="#B0157A",
+    sun="#8A5A00",
+    card="#EBFFFFFF",
+    card_line="#CFDAE3",
+    focus="#1C86C4",
+)
+DUSK: Final = _palette(
+    "dusk",
+    95,
+    water="#20313F",
+    land="#3B382B",
+    shore="#8A7C56",
+    uncharted="#1B242C",
+    uncharted_hatch="#2C3943",
+    graticule="#3C9FB8C9",
+    graticule_text="#94AEC0",
+    lattice="#3C7FB4D6",
+    barb="#B9CEDD",
+    ink="#D3E0EA",
+    halo="#C8141E27",
+    magenta="#E56DB9",
+    casing="#10181F",
+    keel="#C9D5DE",
+    night="#8C05080B",
+    trouble="#FF8A80",
+    isochrone="#7CC0E8",
+    zone="#E56DB9",
+    sun="#F0B95A",
+    card="#EB1C2833",
+    card_line="#3B4C5A",
+    focus="#5FA8D8",
+)
+NIGHT: Final = _palette(
+    "night",
+    44,
+    water="#070A0D",
+    land="#1C170F",
+    shore="#54452C",
+    uncharted="#0A0B0C",
+    uncharted_hatch="#171615",
+    graticule="#3C7A4436",
+    graticule_text="#8E5240",
+    lattice="#307A3A2E",
+    barb="#8A4E3C",
+    ink="#BE7058",
+    halo="#C8040506",
+    magenta="#C24F78",
+    casing="#050607",
+    keel="#7A5348",
+    night="#7048342E",
+    trouble="#D9534A",
+    isochrone="#8C5A3C",
+    zone="#A8405F",
+    sun="#A8732E",
+    card="#EB0B0A0A",
+    card_line="#3A2620",
+    focus="#8A4A34",
+)
+PALETTES: Final = {palette.name: palette for palette in (DAY, DUSK, NIGHT)}
 
 WIND_LIMITS_KN: Final = (5.0, 10.0, 15.0, 20.0, 25.0, 30.0)
 """Where one colour of the route ends and the next begins, true wind speed [kn]."""
@@ -37,10 +153,25 @@ def wind_class(tws_kn: float) -> int:
     return bisect_right(WIND_LIMITS_KN, tws_kn)
 
 
-def wind_class_name(number: int) -> str:
-    """Span of a colour, for the legend."""
+def class_name(limits: tuple[float, ...], number: int) -> str:
+    """Span of a class between limits, for a legend."""
     if number == 0:
-        return f"< {WIND_LIMITS_KN[0]:.0f}"
-    if number == len(WIND_LIMITS_KN):
-        return f"> {WIND_LIMITS_KN[-1]:.0f}"
-    return f"{WIND_LIMITS_KN[number - 1]:.0f}–{WIND_LIMITS_KN[number]:.0f}"
+        return f"< {limits[0]:.0f}"
+    if number == len(limits):
+        return f"> {limits[-1]:.0f}"
+    return f"{limits[number - 1]:.0f}–{limits[number]:.0f}"
+
+
+def wind_class_name(number: int) -> str:
+    """Span of a colour of the wind, for the legend."""
+    return class_name(WIND_LIMITS_KN, number)
+
+
+def dimmed(colour: QColor, palette: Palette) -> QColor:
+    """Colour of a class, as bright as a light allows: by night nothing may dazzle."""
+    return colour.darker(190) if palette is NIGHT else colour
+
+
+def colours_of(palette: Palette) -> dict[str, QColor]:
+    """All colours of a palette by name."""
+    return {f.name: value for f in fields(palette) if isinstance(value := getattr(palette, f.name), QColor)}

@@ -2,22 +2,34 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import math
+from collections.abc import Mapping, Sequence
 from typing import Final
 
 import numpy as np
-from PySide6.QtCore import QPointF, QRectF, Qt
-from PySide6.QtGui import QPainter, QPen, QTransform
+from PySide6.QtCore import QPointF, QRectF
+from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QTransform
 
-from seacruise.desktop.chart import palette
-from seacruise.desktop.chart.layer import Layer, halo_text, text_width
-from seacruise.desktop.chart.plane import to_plane
+from seacruise.desktop.chart.labels import around
+from seacruise.desktop.chart.layer import Layer, draw_dot, halo_text, named_dot, text_width
+from seacruise.desktop.chart.plane import point, to_plane
 from seacruise.desktop.style import scaled_font
 from seacruise.ports import Port
 
 _COARSEST_M: Final = 1_600_000.0
 _LEVELS: Final = 16
 _ROOM_PX: Final = 85.0
+_DOT_PX: Final = 2.6
+_CHOSEN_PX: Final = 5.0
+_CHOSEN_SIZE: Final = 1.05
+_NAME_SIZE: Final = 0.92
+_NEW_A_FRAME: Final = 10
+"""Names pictured in one frame at the most: when sixty come into view at once they come one after another."""
+
+_GRIP_PX: Final = 13.0
+_CATCH_PX: Final = 9.0
+"""How near the pointer must be to take hold of an end, and an end in the hand to a port to become it."""
+
 
 _WELL_KNOWN: Final = frozenset(
     (
@@ -58,9 +70,11 @@ class PortsLayer(Layer):
 
     def __init__(self, bounds: QRectF) -> None:
         super().__init__(bounds)
-        self._ports: list[tuple[QPointF, str, int]] = []
-        self._chosen: list[tuple[QPointF, str]] = []
+        self._ports: list[tuple[QPointF, Port, int]] = []
+        self._chosen: dict[str, tuple[QPointF, str]] = {}
+        self._kept: dict[str, QRectF] = {}
         self.names_shown = True
+        self.is_complete = True
 
     def show_ports(self, ports: Sequence[Port]) -> None:
         """Take the ports over."""
@@ -68,65 +82,98 @@ class PortsLayer(Layer):
         x, y = to_plane(np.array([p.lat for p in ports]), np.array([p.lon for p in ports]))
         ranks = rank_by_room(x.tolist(), y.tolist())
         places = [QPointF(px, py) for px, py in zip(x.tolist(), y.tolist(), strict=True)]
-        named = [(at, port.name, rank) for at, port, rank in zip(places, ports, ranks, strict=True)]
-        self._ports = sorted(named, key=lambda item: item[2])
+        self._ports = sorted(zip(places, ports, ranks, strict=True), key=lambda item: item[2])
         self.update()
 
-    def choose(self, ends: Sequence[tuple[QPointF, str]]) -> None:
-        """Mark the ends of the passage, with their names."""
-        self._chosen = list(ends)
+    def choose(self, ends: Mapping[str, Port]) -> None:
+        """Mark the ends of the passage, ``"from"`` and ``"to"`` and what lies between, with their names."""
+        self._chosen = {which: (point(port.lat, port.lon), port.name) for which, port in ends.items()}
         self.update()
+
+    @property
+    def has_via(self) -> bool:
+        """Whether the passage is led through a place on the way."""
+        return "via" in self._chosen
+
+    def end_at(self, at: QPointF, to_pixels: QTransform) -> str | None:
+        """Tell which end is under a point [pixels]."""
+        near = {which: _gap(to_pixels.map(place), at) for which, (place, _) in self._chosen.items()}
+        which = min(near, key=lambda w: near[w], default=None)
+        return which if which is not None and near[which] <= _GRIP_PX else None
+
+    def port_at(self, at: QPointF, to_pixels: QTransform) -> Port | None:
+        """Port whose dot is drawn under a point [pixels]."""
+        finest = self._finest(to_pixels)
+        near = [(_gap(to_pixels.map(place), at), port) for place, port, rank in self._ports if rank <= finest]
+        gap, port = min(near, key=lambda item: item[0], default=(math.inf, None))
+        return port if gap <= _CATCH_PX else None
+
+    def _finest(self, to_pixels: QTransform) -> float:
+        return float(np.log2(_COARSEST_M * to_pixels.m11() / _ROOM_PX))
+
+    def reserve(self, font: QFont, to_pixels: QTransform) -> None:
+        """Take the places of the chosen ends and their names before anything else is written."""
+        bold = scaled_font(font, _CHOSEN_SIZE, bold=True)
+        height = QFontMetricsF(bold).height()
+        self._kept = {}
+        for which, (place, name) in self._chosen.items():
+            at = to_pixels.map(place)
+            size = (text_width(bold, name), height)
+            sides = around(at, *size, _CHOSEN_PX + 4.0)
+            dot = QRectF(at.x() - _CHOSEN_PX, at.y() - _CHOSEN_PX, 2 * _CHOSEN_PX, 2 * _CHOSEN_PX)
+            self._kept[which] = next((side for side in sides if self.labels.is_free(side)), sides[0])
+            self.labels.take(self._kept[which].adjusted(-5, -2, 5, 2))
+            self.labels.take(dot.adjusted(-2, -2, 2, 2))
 
     def draw(self, painter: QPainter, to_pixels: QTransform, view: QRectF) -> None:
-        """Draw the chosen ends first, then ports by rank wherever dot and name fit."""
-        occupied = [QRectF(view.right() - 54, view.top(), 54, 130)]
-        names = {name for _, name in self._chosen}
-        finest = np.log2(_COARSEST_M * to_pixels.m11() / _ROOM_PX)
+        """Draw the chosen ends, then ports by rank wherever dot and name fit."""
         base = painter.font()
-        small = scaled_font(base, 0.92)
-        bold = scaled_font(base, 1.05, bold=True)
-        painter.setFont(bold)
-        for place, name in self._chosen:
-            self._draw_port(painter, (to_pixels.map(place), name), occupied, view, radius=5.0)
-        painter.setFont(small)
         if self.names_shown:
-            for place, name, rank in self._ports:
-                if rank > finest or name in names:
-                    continue
-                at = to_pixels.map(place)
-                if view.contains(at):
-                    self._draw_port(painter, (at, name), occupied, view, radius=2.6)
+            self._draw_ports(painter, to_pixels, view, scaled_font(base, _NAME_SIZE).key())
+        painter.setFont(scaled_font(base, _CHOSEN_SIZE, bold=True))
+        for which, (place, name) in self._chosen.items():
+            self._draw_dot(painter, to_pixels.map(place), _CHOSEN_PX, self.colours.magenta)
+            if which in self._kept:
+                self._write(painter, self._kept[which], name, self.colours.magenta)
         painter.setFont(base)
 
-    def _draw_port(
-        self,
-        painter: QPainter,
-        port: tuple[QPointF, str],
-        occupied: list[QRectF],
-        view: QRectF,
-        *,
-        radius: float,
-    ) -> None:
-        at, name = port
-        chosen = radius > 3.0
-        width, height = text_width(painter.font(), name), painter.fontMetrics().height()
-        gap = radius + 4.0
-        dot = QRectF(at.x() - radius, at.y() - radius, 2 * radius, 2 * radius)
-        right = QRectF(at.x() + gap, at.y() - height / 2, width, height)
-        left = QRectF(at.x() - gap - width, at.y() - height / 2, width, height)
-        for label in (right, left):
-            if view.contains(label) and not any(label.intersects(other) for other in occupied):
+    def _draw_ports(self, painter: QPainter, to_pixels: QTransform, view: QRectF, font: str) -> None:
+        colours, labels = self.colours, self.labels
+        inks = (colours.ink.rgba(), colours.casing.rgba(), colours.halo.rgba())
+        density = painter.device().devicePixelRatio()
+        scale, dx, dy = to_pixels.m11(), to_pixels.dx(), to_pixels.dy()
+        names, finest = {name for _, name in self._chosen.values()}, self._finest(to_pixels)
+        made = named_dot.cache_info().misses
+        self.is_complete = True
+        for place, port, rank in self._ports:
+            if rank > finest:
                 break
-        else:
-            if not chosen:
-                return
-            label = right
-        if not chosen and any(dot.intersects(other) for other in occupied):
-            return
-        occupied += [label.adjusted(-5, -2, 5, 2), dot.adjusted(-2, -2, 2, 2)]
-        painter.setPen(QPen(palette.CASING, 1.5))
-        painter.setBrush(palette.MAGENTA if chosen else palette.PORT)
-        painter.drawEllipse(at, radius, radius)
-        painter.setPen(Qt.PenStyle.NoPen)
-        base_line = label.top() + painter.fontMetrics().ascent()
-        halo_text(painter, label.left(), base_line, name, palette.MAGENTA if chosen else palette.PORT)
+            if named_dot.cache_info().misses - made >= _NEW_A_FRAME:
+                self.is_complete = False
+                self.update()
+                break
+            x, y = scale * place.x() + dx, scale * place.y() + dy
+            if not (0.0 <= x <= view.width() and 0.0 <= y <= view.height()) or port.name in names:
+                continue
+            if not labels.is_free_box((x - _DOT_PX, y - _DOT_PX, x + _DOT_PX, y + _DOT_PX)):
+                continue
+            for to_left in (False, True):
+                sprite = named_dot(port.name, font, inks, density, to_left=to_left, radius=_DOT_PX)
+                left, top, right, bottom = sprite.name
+                box = (x + left, y + top, x + right, y + bottom)
+                if labels.is_free_box(box):
+                    labels.take_box(box)
+                    labels.take_box((x - 4.6, y - 4.6, x + 4.6, y + 4.6))
+                    painter.drawPixmap(round(x - sprite.left), round(y - sprite.top), sprite.picture)
+                    break
+
+    def _draw_dot(self, painter: QPainter, at: QPointF, radius: float, colour: QColor) -> None:
+        draw_dot(painter, at, radius, colour, self.colours.casing)
+
+    def _write(self, painter: QPainter, label: QRectF, name: str, colour: QColor) -> None:
+        base = QPointF(label.left(), label.top() + painter.fontMetrics().ascent())
+        halo_text(painter, base, name, colour, self.colours.halo)
+
+
+def _gap(a: QPointF, b: QPointF) -> float:
+    return math.hypot(a.x() - b.x(), a.y() - b.y())

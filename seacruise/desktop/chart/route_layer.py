@@ -1,23 +1,40 @@
-"""The passage on the chart: coloured by wind, with its waypoints, the chosen leg, and the boat."""
+"""The passage on the chart: coloured, with its nights, its waypoints, the chosen leg, and the boat."""
 
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
+from datetime import UTC, datetime
 from itertools import pairwise
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
-from PySide6.QtCore import QPointF, QRectF, Qt
-from PySide6.QtGui import QPainter, QPainterPath, QPen, QPolygonF, QTransform
+from PySide6.QtCore import QCoreApplication, QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen, QPolygonF, QTransform
 
-from seacruise.desktop.chart import palette
-from seacruise.desktop.chart.layer import Layer
+from seacruise.desktop.chart.basemap import polygon_of
+from seacruise.desktop.chart.labels import Label, around
+from seacruise.desktop.chart.layer import Layer, draw_dot, text_width
+from seacruise.desktop.chart.palette import dimmed
 from seacruise.desktop.chart.plane import point, to_plane
+from seacruise.desktop.chart.schemes import SCHEMES, Scheme
+from seacruise.desktop.daylight import Light, light_along, spans, sun_events
+from seacruise.desktop.style import scaled_font
 
 if TYPE_CHECKING:
     from seacruise.passage import Passage
 
 _PICK_PX: Final = 10.0
+_NIGHT_PX: Final = 19.0
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Piece:
+    """Run of the track that is drawn alike: a class of the colours, or of the light."""
+
+    number: int
+    motor: bool
+    line: QPolygonF
 
 
 class RouteLayer(Layer):
@@ -26,42 +43,72 @@ class RouteLayer(Layer):
     def __init__(self, bounds: QRectF) -> None:
         super().__init__(bounds)
         self._passage: Passage | None = None
-        self._pieces: list[tuple[int, bool, QPolygonF]] = []
+        self._scheme = SCHEMES["tws"]
+        self._pieces: list[_Piece] = []
+        self._nights: list[_Piece] = []
+        self._suns: list[tuple[QPointF, str, bool]] = []
         self._legs: list[QPolygonF] = []
         self._waypoints: list[QPointF] = []
         self._direct = QPolygonF()
+        self._whole = QPolygonF()
         self._plane = np.empty((0, 2))
+        self._corners = np.empty(0, dtype=np.int64)
         self._leg: int | None = None
         self._boat: tuple[QPointF, float] | None = None
         self.faded = False
+        self.nights_shown = True
 
     def show_passage(self, passage: Passage | None) -> None:
         """Show a passage, or none."""
         self._passage = passage
-        self._leg, self._boat, self._pieces, self._legs, self._waypoints = None, None, [], [], []
+        self._leg, self._boat, self._legs, self._waypoints = None, None, [], []
+        self._pieces, self._nights, self._suns = [], [], []
         if passage is not None:
             track = passage.track
             self._plane = np.stack(to_plane(track.lat, track.lon), axis=1)
+            self._corners = np.flatnonzero(np.diff(track.leg)) + 1
+            self._whole = self._line(0, len(track.time) - 1)
             self._pieces = self._coloured_pieces(passage)
+            self._nights = self._dark_pieces(passage)
+            self._suns = _sun_marks(passage)
             corners = [point(w.lat, w.lon) for w in passage.waypoints]
             self._waypoints = corners
             self._legs = [QPolygonF([a, b]) for a, b in pairwise(corners)]
             self._direct = QPolygonF([corners[0], corners[-1]])
         self.update()
 
-    def _coloured_pieces(self, passage: Passage) -> list[tuple[int, bool, QPolygonF]]:
+    def show_scheme(self, scheme: Scheme) -> None:
+        """Give the colours another meaning."""
+        self._scheme = scheme
+        if self._passage is not None:
+            self._pieces = self._coloured_pieces(self._passage)
+        self.update()
+
+    @property
+    def scheme(self) -> Scheme:
+        """What the colours mean."""
+        return self._scheme
+
+    def _coloured_pieces(self, passage: Passage) -> list[_Piece]:
         """Find the runs of the track that share a colour, and whether they are under engine."""
-        classes = np.searchsorted(palette.WIND_LIMITS_KN, passage.track.tws_kn, side="right")
-        motor = passage.track.motor.astype(np.int64)
-        changes = np.flatnonzero((np.diff(classes) != 0) | (np.diff(motor) != 0)) + 1
-        bounds = [0, *changes.tolist(), len(classes) - 1]
-        pieces = []
-        for begin, end in pairwise(bounds):
-            if end <= begin:
-                continue
-            line = QPolygonF([QPointF(x, y) for x, y in self._plane[begin : end + 1].tolist()])
-            pieces.append((int(classes[begin]), bool(motor[begin]), line))
-        return pieces
+        classes = self._scheme.classes(passage.track)
+        both = 2 * classes + passage.track.motor
+        return [
+            _Piece(number // 2, bool(number % 2), self._line(begin, end))
+            for number, begin, end in spans(both)
+        ]
+
+    def _line(self, begin: int, end: int) -> QPolygonF:
+        """Part of the track between two samples; legs are straight, so their inner samples are left out."""
+        inner = self._corners[(self._corners > begin) & (self._corners < end)]
+        return polygon_of(self._plane[[begin, *inner.tolist(), end]])
+
+    def _dark_pieces(self, passage: Passage) -> list[_Piece]:
+        return [
+            _Piece(light, False, self._line(begin, end))
+            for light, begin, end in spans(light_along(passage.track))
+            if light != Light.DAY
+        ]
 
     def choose_leg(self, number: int | None) -> None:
         """Mark the leg that begins at a waypoint."""
@@ -99,47 +146,71 @@ class RouteLayer(Layer):
             self._draw_direct(painter, to_pixels)
             self._draw_track(painter, to_pixels)
             self._draw_waypoints(painter, to_pixels)
+            if self.nights_shown:
+                self._draw_suns(painter, to_pixels)
             if self._boat is not None:
                 self._draw_boat(painter, to_pixels.map(self._boat[0]), self._boat[1])
             painter.setOpacity(1.0)
 
     def _draw_direct(self, painter: QPainter, to_pixels: QTransform) -> None:
-        pen = QPen(palette.MAGENTA, 1.3, Qt.PenStyle.CustomDashLine)
+        pen = QPen(self.colours.magenta, 1.0, Qt.PenStyle.CustomDashLine)
         pen.setDashPattern([5.0, 5.0])
         painter.setPen(pen)
         painter.drawPolyline(to_pixels.map(self._direct))
 
     def _draw_track(self, painter: QPainter, to_pixels: QTransform) -> None:
-        def stroke(line: QPolygonF, pen: QPen) -> None:
-            pen.setCapStyle(Qt.PenCapStyle.RoundCap)
+        def stroke(line: QPolygonF, pen: QPen, cap: Qt.PenCapStyle = Qt.PenCapStyle.RoundCap) -> None:
+            pen.setCapStyle(cap)
             pen.setJoinStyle(Qt.PenJoinStyle.RoundJoin)
             path = QPainterPath()
             path.addPolygon(to_pixels.map(line))
             painter.strokePath(path, pen)
 
+        if self.nights_shown:
+            for piece in self._nights:
+                shade = QColor(self.colours.night)
+                if piece.number == Light.TWILIGHT:
+                    shade.setAlpha(shade.alpha() // 2)
+                stroke(piece.line, QPen(shade, _NIGHT_PX), Qt.PenCapStyle.FlatCap)
         if self._leg is not None and self._leg < len(self._legs):
-            stroke(self._legs[self._leg], QPen(palette.MAGENTA, 13.0))
-        for _, _, line in self._pieces:
-            stroke(line, QPen(palette.PORT, 7.0))
-        for number, _, line in self._pieces:
-            stroke(line, QPen(palette.WIND_COLOURS[number], 4.6))
-        for _, motor, line in self._pieces:
-            if motor:
-                dots = QPen(palette.CASING, 2.0, Qt.PenStyle.CustomDashLine)
+            stroke(self._legs[self._leg], QPen(self.colours.magenta, 13.0))
+        stroke(self._whole, QPen(self.colours.keel, 7.0))
+        for piece in self._pieces:
+            stroke(piece.line, QPen(dimmed(self._scheme.colours[piece.number], self.colours), 4.6))
+        for piece in self._pieces:
+            if piece.motor:
+                dots = QPen(self.colours.casing, 2.0, Qt.PenStyle.CustomDashLine)
                 dots.setDashPattern([0.1, 4.0])
-                stroke(line, dots)
+                stroke(piece.line, dots)
 
     def _draw_waypoints(self, painter: QPainter, to_pixels: QTransform) -> None:
-        painter.setPen(QPen(palette.MAGENTA, 1.6))
-        painter.setBrush(palette.CASING)
         last: QPointF | None = None
         for place in self._waypoints[1:-1]:
             at = to_pixels.map(place)
             # Tacks lie close together: where they would be a row of beads, some are left out.
             if last is not None and math.hypot(at.x() - last.x(), at.y() - last.y()) < 9.0:
                 continue
-            painter.drawEllipse(at, 3.3, 3.3)
+            draw_dot(painter, at, 3.3, self.colours.casing, self.colours.magenta)
             last = at
+
+    def _draw_suns(self, painter: QPainter, to_pixels: QTransform) -> None:
+        """Draw a sun half above the horizon where it rises or sets, and when."""
+        before = painter.font()
+        painter.setFont(scaled_font(before, 0.9))
+        height = painter.fontMetrics().height()
+        for place, text, rises in self._suns:
+            at = to_pixels.map(place)
+            painter.setPen(QPen(self.colours.casing, 1.4))
+            painter.setBrush(self.colours.sun if rises else self.colours.keel)
+            painter.drawEllipse(at, 6.0, 6.0)
+            painter.setBrush(self.colours.keel if rises else self.colours.sun)
+            painter.drawChord(QRectF(at.x() - 6, at.y() - 6, 12, 12), 180 * 16, 180 * 16)
+            width = text_width(painter.font(), text)
+            label = self.labels.claim(*around(at, width, height, 14.0))
+            if label is not None:
+                base = QPointF(label.left(), label.top() + painter.fontMetrics().ascent())
+                self.labels.write(Label(painter.font(), base, text, self.colours.sun))
+        painter.setFont(before)
 
     def _draw_boat(self, painter: QPainter, at: QPointF, course_deg: float) -> None:
         painter.save()
@@ -151,11 +222,26 @@ class RouteLayer(Layer):
         hull.lineTo(-3.6, 11.0)
         hull.lineTo(-5.2, 3.0)
         hull.quadTo(QPointF(-6.0, -6.0), QPointF(0.0, -13.0))
-        painter.strokePath(hull, QPen(palette.CASING, 4.0))
-        painter.fillPath(hull, palette.MAGENTA)
-        painter.setPen(QPen(palette.CASING, 1.4))
+        painter.strokePath(hull, QPen(self.colours.casing, 4.0))
+        painter.fillPath(hull, self.colours.magenta)
+        painter.setPen(QPen(self.colours.casing, 1.4))
         painter.drawLine(QPointF(0, -6), QPointF(0, 7))
         painter.restore()
+
+
+def _sun_marks(passage: Passage) -> list[tuple[QPointF, str, bool]]:
+    words = {
+        "sunrise": QCoreApplication.translate("route", "sunrise {time}"),
+        "sunset": QCoreApplication.translate("route", "sunset {time}"),
+    }
+    return [
+        (
+            point(event.lat, event.lon),
+            words[event.kind].format(time=f"{datetime.fromtimestamp(event.time, UTC):%H:%M}"),
+            event.kind == "sunrise",
+        )
+        for event in sun_events(passage.track)
+    ]
 
 
 class TroubleLayer(Layer):
@@ -177,7 +263,7 @@ class TroubleLayer(Layer):
             return
         at = to_pixels.map(self._place)
         painter.setBrush(Qt.BrushStyle.NoBrush)
-        for colour, width in ((palette.CASING, 6.0), (palette.TROUBLE, 2.6)):
+        for colour, width in ((self.colours.casing, 6.0), (self.colours.trouble, 2.6)):
             painter.setPen(QPen(colour, width))
             painter.drawEllipse(at, 13.0, 13.0)
             painter.drawLine(at + QPointF(-5, -5), at + QPointF(5, 5))

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import time
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Final
 
-from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, Qt, QTimer, Signal
+from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, QTimer, Signal
 from PySide6.QtGui import (
-    QColor,
     QContextMenuEvent,
     QKeyEvent,
     QMouseEvent,
@@ -17,19 +17,28 @@ from PySide6.QtGui import (
     QResizeEvent,
     QWheelEvent,
 )
-from PySide6.QtWidgets import QFrame, QGraphicsScene, QGraphicsView, QMenu, QWidget
+from PySide6.QtWidgets import QFrame, QGraphicsScene, QGraphicsView, QWidget
 
 from seacruise.desktop.chart.coast_layer import CoastLayer
+from seacruise.desktop.chart.context import open_menu
+from seacruise.desktop.chart.field_layer import FieldLayer
 from seacruise.desktop.chart.graticule import GraticuleLayer, ScaleLayer
+from seacruise.desktop.chart.isochrone_layer import IsochroneLayer
+from seacruise.desktop.chart.labels import Labels
+from seacruise.desktop.chart.layer import LabelLayer, Layer
 from seacruise.desktop.chart.legend import LegendLayer
+from seacruise.desktop.chart.measure_layer import MeasureLayer
+from seacruise.desktop.chart.palette import DAY, Palette
 from seacruise.desktop.chart.plane import CHARTED, point, position, rectangle
+from seacruise.desktop.chart.pointer import Pointer
 from seacruise.desktop.chart.ports_layer import PortsLayer
 from seacruise.desktop.chart.route_layer import RouteLayer, TroubleLayer
+from seacruise.desktop.chart.schemes import Scheme
 from seacruise.desktop.chart.wind_layer import WindLayer
+from seacruise.desktop.chart.zones_layer import ZonesLayer
 from seacruise.desktop.jobs import JobRunner
-from seacruise.desktop.style import FOCUS
-from seacruise.geodesy import format_position
 from seacruise.ports import Port
+from seacruise.sea.zones import Zone
 
 if TYPE_CHECKING:
     from seacruise.desktop.compute import Answer
@@ -37,10 +46,13 @@ if TYPE_CHECKING:
 _STEP: Final = 1.25
 _NEAREST_PX_M: Final = 0.4
 _SETTLE_MS: Final = 60
-_CLICK_PX: Final = 4
+_PATIENCE_S: Final = 0.3
+"""A coast that is painted while the chart moves takes time from its frames; so long it is stretched."""
+
 _FIT_SIDES_PX: Final = 40
 _FIT_TOP_PX: Final = 58
 _FIT_BOTTOM_PX: Final = 104
+_FIT_ABOVE_PX: Final = 18
 """Room for ribbon and legend around what is fitted."""
 
 _LEAST_FITTED_M: Final = 40_000.0
@@ -50,13 +62,21 @@ class ChartView(QGraphicsView):
     """Chart of the Baltic.
 
     Signals: ``pointed(lat, lon)`` as the pointer moves, ``left()`` when it leaves, ``leg_picked(number)``
-    on a click on the route (-1 beside it), ``end_picked(which, lat, lon)`` with ``"from"`` or ``"to"``.
+    on a click on the route (-1 beside it), ``end_picked(which, lat, lon)`` with ``"from"``, ``"to"`` or
+    ``"via"`` from its menu, ``end_dragged(which, port, done)`` while one is dragged - a port without a name
+    is a position -, ``via_dropped()``, ``avoid_picked(lat, lon, radius_nm)``, ``avoid_dropped(zone)``, and
+    ``measuring_changed(bool)``.
     """
 
     pointed = Signal(float, float)
     left = Signal()
     leg_picked = Signal(int)
     end_picked = Signal(str, float, float)
+    end_dragged = Signal(str, object, bool)
+    via_dropped = Signal()
+    avoid_picked = Signal(float, float, float)
+    avoid_dropped = Signal(object)
+    measuring_changed = Signal(bool)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -71,19 +91,26 @@ class ChartView(QGraphicsView):
         self.setResizeAnchor(QGraphicsView.ViewportAnchor.AnchorViewCenter)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMouseTracking(True)
+        # The coast covers everything; filling the ground before it is a millisecond of each frame.
+        self.viewport().setAutoFillBackground(False)
+        self.viewport().setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         self.viewport().setCursor(Qt.CursorShape.CrossCursor)
         self.setAccessibleName(self.tr("Chart"))
         self.setAccessibleDescription(
             self.tr(
-                "Plus and minus zoom, the arrow keys move the chart; the legs table says the same in words."
+                "Plus and minus zoom, the arrow keys move the chart, the menu key offers what can be done "
+                "in its middle; the legs table says the same in words."
             )
         )
         self.painter_jobs = JobRunner("chart", self)
+        self._colours = DAY
         self._make_layers()
-        self._pressed: QPoint | None = None
-        self._dragged = False
+        self._pointer = Pointer(self)
+        self._measuring = False
+        self.removable: frozenset[Zone] = frozenset()
         self._fitted: QRectF | None = None
         self._shows_all = True
+        self._asked = 0.0
         self._settle = QTimer(self)
         self._settle.setSingleShot(True)
         self._settle.setInterval(_SETTLE_MS)
@@ -92,16 +119,38 @@ class ChartView(QGraphicsView):
     def _make_layers(self) -> None:
         room = self._room
         self.coast = CoastLayer(room, self.painter_jobs, self.viewport().update)
-        self.wind = WindLayer(room)
-        self.ports = PortsLayer(room)
-        self.route = RouteLayer(room)
-        self.trouble = TroubleLayer(room)
+        self.field, self.wind = FieldLayer(room), WindLayer(room)
+        self.zones, self.isochrones = ZonesLayer(room), IsochroneLayer(room)
+        self.ports, self.route = PortsLayer(room), RouteLayer(room)
+        self.measure, self.trouble = MeasureLayer(room), TroubleLayer(room)
         self.legend = LegendLayer(room)
         self.legend.setVisible(False)
-        order = (self.coast, GraticuleLayer(room), self.wind, self.route, self.ports, ScaleLayer(room))
-        for height, layer in enumerate((*order, self.legend, self.trouble)):
+        self.field.setVisible(False)
+        self.labels = Labels()
+        self._layers: tuple[Layer, ...] = (
+            *(self.coast, self.field, GraticuleLayer(room), self.zones, self.isochrones, self.wind),
+            *(self.route, LabelLayer(room), self.ports, ScaleLayer(room), self.legend),
+            *(self.measure, self.trouble),
+        )
+        for height, layer in enumerate(self._layers):
             layer.setZValue(height)
+            layer.labels = self.labels
             self.scene().addItem(layer)
+
+    def set_palette(self, colours: Palette) -> None:
+        """Show the chart in the colours of another light."""
+        self._colours = colours
+        for layer in self._layers:
+            layer.set_palette(colours)
+        self.viewport().update()
+        self.refresh_coast()
+
+    def show_scheme(self, scheme: Scheme) -> None:
+        """Give the colours of the route another meaning."""
+        if scheme is self.route.scheme:
+            return
+        self.route.show_scheme(scheme)
+        self.legend.show_scheme(scheme)
 
     # --- what is shown ------------------------------------------------------------------------------
 
@@ -112,17 +161,20 @@ class ChartView(QGraphicsView):
         self.legend.setVisible(passage is not None)
         if answer is None or passage is None:
             self.wind.show_wind(None, 0.0)
+            self.field.show_wind(None, 0.0)
             return
         self.show_time(answer, passage.departure.timestamp())
 
     def show_time(self, answer: Answer, time: float) -> None:
         """Show wind and boat at a time [s since 1970-01-01T00:00Z]."""
         self.wind.show_wind(answer.wind, time)
+        self.field.show_wind(answer.wind, time)
+        self.zones.show_time(time)
         self.route.place_boat(time)
 
-    def choose_ends(self, ends: Sequence[Port]) -> None:
-        """Mark the ports that the form names."""
-        self.ports.choose([(point(port.lat, port.lon), port.name) for port in ends])
+    def choose_ends(self, ends: Mapping[str, Port]) -> None:
+        """Mark the places that the passage begins, ends and is led through: ``from``, ``to``, ``via``."""
+        self.ports.choose(ends)
 
     def fit_passage(self, answer: Answer) -> None:
         """Bring a whole passage into view."""
@@ -136,12 +188,20 @@ class ChartView(QGraphicsView):
     def fit(self, area: QRectF) -> None:
         """Bring a rectangle of the plane into view, clear of ribbon and legend."""
         self._fitted, self._shows_all = QRectF(area), False
-        view = self.viewport().rect().adjusted(_FIT_SIDES_PX, _FIT_TOP_PX, -_FIT_SIDES_PX, -_FIT_BOTTOM_PX)
+        whole = self.viewport().rect()
+        legend = self.legend.card(QRectF(whole), self.font())
+        bottom = max(_FIT_BOTTOM_PX, round(whole.height() - legend.top()) + _FIT_ABOVE_PX)
+        view = whole.adjusted(_FIT_SIDES_PX, _FIT_TOP_PX, -_FIT_SIDES_PX, -bottom)
         width, height = (max(side, _LEAST_FITTED_M) for side in (area.width(), area.height()))
         self._set_scale(min(max(view.width(), 50) / width, max(view.height(), 50) / height))
-        shift = (_FIT_BOTTOM_PX - _FIT_TOP_PX) / 2.0 / self.transform().m11()
+        shift = (bottom - _FIT_TOP_PX) / 2.0 / self.transform().m11()
         self.centerOn(area.center() + QPointF(0.0, shift))
         self._moved(keep_fit=True)
+
+    def fit_again(self) -> None:
+        """Keep clear of a legend that has grown what was fitted, unless the chart was moved since."""
+        if self._fitted is not None:
+            self.fit(self._fitted)
 
     def show_all(self) -> None:
         """Fill the view with what is charted, the southern Baltic first."""
@@ -160,7 +220,27 @@ class ChartView(QGraphicsView):
     @property
     def is_settled(self) -> bool:
         """Whether the picture is complete: nothing is being painted or about to be."""
-        return not self._settle.isActive() and self.coast.is_up_to_date
+        return not self._settle.isActive() and self.coast.is_up_to_date and self.ports.is_complete
+
+    # --- measuring ----------------------------------------------------------------------------------
+
+    @property
+    def is_measuring(self) -> bool:
+        """Whether a click begins or ends the measuring line."""
+        return self._measuring
+
+    def set_measuring(self, on: bool) -> None:
+        """Take the measuring line in hand, or put it away."""
+        if on != self._measuring:
+            self._measuring = on
+            self._pointer.drop_line()
+            self.measuring_changed.emit(on)
+
+    def measure_from(self, lat: float, lon: float) -> None:
+        """Begin to measure at a position [degrees]."""
+        self.set_measuring(True)
+        self._pointer.drop_line()
+        self._pointer.set_or_end_line(lat, lon)
 
     # --- moving -------------------------------------------------------------------------------------
 
@@ -191,6 +271,10 @@ class ChartView(QGraphicsView):
         """One step away."""
         self.zoom(_STEP**-2)
 
+    def pan(self, dx: float, dy: float) -> None:
+        """Move the chart by pixels."""
+        self._pan(dx, dy)
+
     def _pan(self, dx: float, dy: float) -> None:
         for bar, shift in ((self.horizontalScrollBar(), dx), (self.verticalScrollBar(), dy)):
             bar.setValue(bar.value() + round(shift))
@@ -203,8 +287,12 @@ class ChartView(QGraphicsView):
         self.refresh_coast()
 
     def refresh_coast(self) -> None:
-        """See to it, soon, that coast and lattice fit the view."""
+        """See to it that coast and lattice fit the view, as soon as it rests, or has moved for a while."""
+        now = time.monotonic()
         if not self._settle.isActive():
+            self._asked = now
+            self._settle.start()
+        elif now - self._asked < _PATIENCE_S:
             self._settle.start()
 
     def _demand_coast(self) -> None:
@@ -225,7 +313,7 @@ class ChartView(QGraphicsView):
         """Keep what was fitted in view, and the coast fitting."""
         super().resizeEvent(event)
         if self._fitted is not None:
-            self.fit(self._fitted)
+            self.fit_again()
         elif self._shows_all:
             self.show_all()
         else:
@@ -248,10 +336,15 @@ class ChartView(QGraphicsView):
         key = Qt.Key(event.key())
         if key in moves:
             self._pan(*moves[key])
+            self._pointer.follow(*self.middle())
         elif key in {Qt.Key.Key_Plus, Qt.Key.Key_Equal}:
             self.zoom_in()
         elif key in {Qt.Key.Key_Minus, Qt.Key.Key_Underscore}:
             self.zoom_out()
+        elif self._measuring and key in {Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Space}:
+            self._pointer.set_or_end_line(*self.middle())
+        elif self._measuring and key == Qt.Key.Key_Escape:
+            self.set_measuring(False)
         else:
             # Not QGraphicsView's: it would scroll by keys that the window knows.
             QWidget.keyPressEvent(self, event)
@@ -259,46 +352,30 @@ class ChartView(QGraphicsView):
     def mousePressEvent(self, event: QMouseEvent) -> None:
         """Begin to drag, or a click."""
         if event.button() == Qt.MouseButton.LeftButton:
-            self._pressed, self._dragged = event.position().toPoint(), False
+            self._pointer.press(event)
             event.accept()
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        """Drag the chart; tell the position under the pointer."""
-        at = event.position().toPoint()
-        if self._pressed is not None:
-            moved = self._pressed - at
-            if self._dragged or moved.manhattanLength() > _CLICK_PX:
-                self._dragged = True
-                self.viewport().setCursor(Qt.CursorShape.ClosedHandCursor)
-                self._pan(moved.x(), moved.y())
-                self._pressed = at
-        self.pointed.emit(*self._position_at(QPointF(at)))
+        """Drag what is held; tell the position under the pointer."""
+        self._pointer.move(event)
+        self.pointed.emit(*self.position_at(event.position()))
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
-        """End a drag; a click picks a leg."""
-        if self._pressed is not None and not self._dragged:
-            leg = self.route.leg_at(event.position(), self.viewportTransform())
-            self.leg_picked.emit(-1 if leg is None else leg)
-        self._pressed = None
-        self.viewport().setCursor(Qt.CursorShape.CrossCursor)
+        """End a drag or a click."""
+        if event.button() == Qt.MouseButton.LeftButton:
+            self._pointer.release(event)
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         """Zoom in at the pointer."""
-        self.zoom(_STEP**2, event.position())
+        if not self._measuring:
+            self.zoom(_STEP**2, event.position())
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
-        """Offer the position as an end of the passage."""
-        lat, lon = self._position_at(QPointF(event.pos()))
-        menu = QMenu(self)
-        menu.addSection(format_position(lat, lon))
-        menu.addAction(self.tr("Sail from here")).triggered.connect(
-            lambda: self.end_picked.emit("from", lat, lon)
-        )
-        menu.addAction(self.tr("Sail to here")).triggered.connect(
-            lambda: self.end_picked.emit("to", lat, lon)
-        )
-        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        menu.popup(event.globalPos())
+        """Offer what can be done with the position under the pointer, or in the middle for the keyboard."""
+        by_mouse = event.reason() == QContextMenuEvent.Reason.Mouse
+        at = event.pos() if by_mouse else self.viewport().rect().center()
+        place = self.position_at(QPointF(at))
+        open_menu(self, *place, event.globalPos() if by_mouse else self.viewport().mapToGlobal(at))
 
     def viewportEvent(self, event: QEvent) -> bool:
         """Tell when the pointer has left."""
@@ -308,13 +385,36 @@ class ChartView(QGraphicsView):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         """Draw the layers, and a frame when the keys go to the chart."""
+        self._reserve()
         super().paintEvent(event)
         if self.hasFocus() and self.window().isActiveWindow():
             painter = QPainter(self.viewport())
-            painter.setPen(QPen(QColor(FOCUS), 2.0))
+            painter.setPen(QPen(self._colours.focus, 2.0))
             painter.drawRect(self.viewport().rect().adjusted(1, 1, -1, -1))
+            if self._measuring:
+                middle = self.viewport().rect().center()
+                painter.drawLine(middle.x() - 7, middle.y(), middle.x() + 7, middle.y())
+                painter.drawLine(middle.x(), middle.y() - 7, middle.x(), middle.y() + 7)
             painter.end()
 
-    def _position_at(self, at: QPointF) -> tuple[float, float]:
+    def _reserve(self) -> None:
+        """Keep the places that no label may take: buttons, scale, legend, and the names of the ends."""
+        view = QRectF(self.viewport().rect())
+        taken = [QRectF(child.geometry()) for child in self.findChildren(QWidget) if self._covers(child)]
+        taken.append(ScaleLayer.place(view))
+        if self.legend.isVisible():
+            taken.append(self.legend.card(view, self.font()))
+        self.labels.begin(view, taken)
+        self.ports.reserve(self.font(), self.viewportTransform())
+
+    def _covers(self, child: QWidget) -> bool:
+        return child.isVisible() and child.parent() is self and child is not self.viewport()
+
+    def middle(self) -> tuple[float, float]:
+        """Position in the middle of the view [degrees]."""
+        return self.position_at(QPointF(self.viewport().rect().center()))
+
+    def position_at(self, at: QPointF) -> tuple[float, float]:
+        """Position [degrees] at a point of the viewport."""
         back, _ = self.viewportTransform().inverted()
         return position(back.map(at))

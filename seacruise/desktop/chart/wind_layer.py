@@ -6,12 +6,13 @@ import math
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
-from PySide6.QtCore import QPointF, QRectF
-from PySide6.QtGui import QPainter, QTransform
+from numpy.typing import NDArray
+from PySide6.QtCore import QRectF
+from PySide6.QtGui import QPainter, QPixmap, QTransform
 
-from seacruise.desktop.chart import palette
 from seacruise.desktop.chart.barbs import BarbSprites, direction_class
 from seacruise.desktop.chart.layer import Layer
+from seacruise.desktop.chart.palette import Palette
 from seacruise.geodesy import from_mercator
 from seacruise.units import MS_PER_KNOT
 
@@ -21,6 +22,9 @@ if TYPE_CHECKING:
 LEAST_PX: Final = 58.0
 _GROWTH: Final = math.sqrt(2.0)
 _REACH_PX: Final = 40.0
+
+Array = NDArray[np.float64]
+Stations = tuple[Array, Array, list[QPixmap]]
 
 
 def spacing_m(pixels_per_metre: float) -> float:
@@ -39,14 +43,18 @@ class WindLayer(Layer):
         super().__init__(bounds)
         self._wind: Wind | None = None
         self._time = 0.0
-        self._sprites = BarbSprites(palette.BARB, palette.HALO)
-        self._drawn: tuple[tuple[float, int, int, int, int, float], list[tuple[float, float, int, int, int]]]
-        self._drawn = ((0.0, 0, 0, 0, 0, 0.0), [])
+        self._sprites = BarbSprites(self.colours.barb, self.colours.halo)
+        self._drawn: tuple[tuple[float, ...], Stations] | None = None
+
+    def set_palette(self, colours: Palette) -> None:
+        """Draw the barbs in the colours of another light."""
+        super().set_palette(colours)
+        self._sprites, self._drawn = BarbSprites(colours.barb, colours.halo), None
 
     def show_wind(self, wind: Wind | None, time: float) -> None:
         """Show a wind at a time [s since 1970-01-01T00:00Z]."""
         if wind is not self._wind:
-            self._drawn = ((0.0, 0, 0, 0, 0, 0.0), [])
+            self._drawn = None
         self._wind, self._time = wind, time
         self.update()
 
@@ -57,18 +65,22 @@ class WindLayer(Layer):
         back, _ = to_pixels.inverted()
         seen = back.mapRect(view.adjusted(-_REACH_PX, -_REACH_PX, _REACH_PX, _REACH_PX))
         density = painter.device().devicePixelRatio()
-        offset = self._sprites.offset
-        for x, y, fives, direction, side in self._stations(seen, spacing_m(to_pixels.m11())):
-            at = to_pixels.map(QPointF(x, y))
-            sprite = self._sprites.sprite(fives, direction, side=side, density=density)
-            painter.drawPixmap(QPointF(round(at.x() - offset), round(at.y() - offset)), sprite)
+        x, y, pictures = self._stations(seen, spacing_m(to_pixels.m11()), density)
+        columns = np.rint(to_pixels.m11() * x[0] + to_pixels.dx() - x[1]).astype(int).tolist()
+        rows = np.rint(to_pixels.m22() * y[0] + to_pixels.dy() - y[1]).astype(int).tolist()
+        draw = painter.drawPixmap
+        for column, row, picture in zip(columns, rows, pictures, strict=True):
+            draw(column, row, picture)
 
-    def _stations(self, seen: QRectF, step: float) -> list[tuple[float, float, int, int, int]]:
-        """Place, speed class, direction class and side of each barb; kept until something changes."""
+    def _stations(self, seen: QRectF, step: float, density: float) -> Stations:
+        """Find barbs and their places: ``(2, n)`` of the plane [m], and from edge to station [pixels].
+
+        Kept until something changes.
+        """
         columns = (math.ceil(seen.left() / step), math.floor(seen.right() / step))
         rows = (math.ceil(seen.top() / step), math.floor(seen.bottom() / step))
-        key = (step, *columns, *rows, self._time)
-        if key == self._drawn[0]:
+        key: tuple[float, ...] = (step, *columns, *rows, self._time, density)
+        if self._drawn is not None and key == self._drawn[0]:
             return self._drawn[1]
         assert self._wind is not None
         row, column = np.mgrid[rows[0] : rows[1] + 1, columns[0] : columns[1] + 1]
@@ -81,11 +93,13 @@ class WindLayer(Layer):
 
         speed, direction = to_direction(*self._wind.at(self._time, lat, lon))
         fives = np.floor(speed / MS_PER_KNOT / 5.0 + 0.5).astype(int)
-        stations = [
-            (px, py, count, direction_class(degrees), -1 if south else 1)
-            for px, py, count, degrees, south in zip(
-                x.tolist(), y.tolist(), fives.tolist(), direction.tolist(), (lat < 0).tolist(), strict=True
+        sprites = [
+            self._sprites.sprite(count, direction_class(degrees), side=-1 if south else 1, density=density)
+            for count, degrees, south in zip(
+                fives.tolist(), direction.tolist(), (lat < 0).tolist(), strict=True
             )
         ]
-        self._drawn = (key, stations)
-        return stations
+        left, top = (np.array([sprite[k] for sprite in sprites]) for k in (1, 2))
+        found = (np.stack([x, left]), np.stack([y, top]), [sprite[0] for sprite in sprites])
+        self._drawn = (key, found)
+        return found

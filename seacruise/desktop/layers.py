@@ -1,0 +1,115 @@
+"""What the menus switch on the chart: layers, meaning of colours, light; and the lines of equal time."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from PySide6.QtCore import QObject, Signal
+
+from seacruise.desktop.chart.palette import PALETTES
+from seacruise.desktop.chart.schemes import SCHEMES
+from seacruise.desktop.chart.view import ChartView
+from seacruise.desktop.compute import Answer
+from seacruise.desktop.equal_time import find_time_lines
+from seacruise.desktop.jobs import JobRunner
+from seacruise.desktop.menus import Menus
+from seacruise.progress import Job
+from seacruise.settings import Settings
+
+if TYPE_CHECKING:
+    from seacruise.desktop.equal_time import TimeLine
+
+
+class Layers(QObject):
+    """Keeps chart and switches in step.
+
+    Signals: ``light_changed(name)``, one of ``day``, ``dusk`` and ``night``; ``failed(error)`` when lines of
+    equal time could not be found.
+    """
+
+    light_changed = Signal(str)
+    failed = Signal(object)
+
+    def __init__(
+        self, settings: Settings, menus: Menus, view: ChartView, parent: QObject | None = None
+    ) -> None:
+        super().__init__(parent)
+        self._settings, self._menus, self._view = settings, menus, view
+        self._answer: Answer | None = None
+        self._lines_of: Answer | None = None
+        self._light = "day"
+        self.jobs = JobRunner("isochrones", self)
+        self.jobs.finished.connect(self._lines_found)
+        self.jobs.failed.connect(lambda _, error: self.failed.emit(error))
+
+    def show_answer(self, answer: Answer | None) -> None:
+        """Show the layers of a passage."""
+        self._answer = answer
+        self.apply()
+
+    def is_on(self, name: str) -> bool:
+        """Whether a layer is switched on."""
+        return self._menus.layers[name].isChecked()
+
+    def apply(self) -> None:
+        """Show what is switched on."""
+        view = self._view
+        view.wind.setVisible(self.is_on("wind"))
+        view.field.setVisible(self.is_on("field"))
+        if view.legend.field_shown != self.is_on("field"):
+            view.legend.field_shown = self.is_on("field")
+            view.fit_again()
+        view.zones.setVisible(self.is_on("zones"))
+        view.isochrones.setVisible(self.is_on("isochrones"))
+        view.ports.names_shown = self.is_on("ports")
+        view.route.nights_shown = self.is_on("nights")
+        view.set_measuring(self.is_on("measure"))
+        view.show_scheme(SCHEMES[self._menus.chosen("scheme")])
+        light = self._menus.chosen("light")
+        if light != self._light:
+            self._light = light
+            view.set_palette(PALETTES[light])
+            self.light_changed.emit(light)
+        edges = self._answer.passage.lattice_edges if self._answer is not None else None
+        view.coast.show_lattice(edges if self.is_on("lattice") else None)
+        view.refresh_coast()
+        self._demand_lines()
+        view.viewport().update()
+
+    def _demand_lines(self) -> None:
+        """Find the lines of the passage shown, unless they are there; none while it follows a hand."""
+        answer = self._answer
+        if answer is None or answer is self._lines_of:
+            return
+        self._lines_of = None
+        self._view.isochrones.show_lines(())
+        self.jobs.cancel()
+        if answer.rough or not self.is_on("isochrones"):
+            return
+        self._lines_of, settings = answer, self._settings
+
+        def work(job: Job) -> Any:
+            return find_time_lines(answer, settings=settings, job=job)
+
+        self.jobs.run_job(work)
+
+    def _lines_found(self, _generation: int, lines: list[TimeLine]) -> None:
+        self._view.isochrones.show_lines(lines)
+        self._view.viewport().update()
+
+    # --- memory -------------------------------------------------------------------------------------
+
+    def contents(self) -> dict[str, object]:
+        """Give what is worth keeping for the next start."""
+        kept: dict[str, object] = {
+            name: action.isChecked() for name, action in self._menus.layers.items() if name != "measure"
+        }
+        return kept | {name: self._menus.chosen(name) for name in ("scheme", "light")}
+
+    def restore(self, kept: dict[str, Any]) -> None:
+        """Switch as `contents` said; what is not of its kind, as in a damaged file, is passed over."""
+        for name, action in self._menus.layers.items():
+            if isinstance(kept.get(name), bool):
+                action.setChecked(kept[name])
+        for name in ("scheme", "light"):
+            self._menus.choose(name, str(kept.get(name, "")))
