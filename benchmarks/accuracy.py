@@ -116,7 +116,9 @@ def _gap(at: World, start: str, end: str) -> Figures:
     asked = at.question(at.water_at(start), at.water_at(end))
     ours = search_as_precise(asked)
     best = converged(at, asked, ours)
-    (found_h, free), (optimum_h, best_free) = shown(asked, ours), shown(asked, best)
+    passage = plan(at.request(start, end), settings=at.settings)
+    found_h, free = passage.duration_h, passage.checks.land_free
+    optimum_h, best_free = shown(asked, best)
     line_h, best_line_h = (simulated_h(simulator, asked, line) for line in (ours, best))
     return {
         "found_h": round(found_h, 4),

@@ -69,6 +69,12 @@ MOST_DEPARTURES = 6
 DEARER_S = (300.0, 1200.0, 4800.0)
 """What a tack or gybe is made to cost more [s], until there are no more of them than wanted."""
 
+BOARDS_COST = 0.003
+"""Where boards cost more than this share of the time they are searched, not only laid out."""
+
+CHEAP_TURN_S = 15.0
+"""What a tack or gybe costs then, so that there are no more of them than they are worth [s]."""
+
 NOBODY = Job()
 """A job that nobody watches or cancels."""
 
@@ -182,17 +188,31 @@ def _departures(asked: Question, may_wait_h: float, job: Job, ledger: Ledger) ->
 def _with_few_turns(
     asked: Question, options: Options, job: Job, ledger: Ledger
 ) -> tuple[Fastest, Course, Resailed]:
-    """Find a passage; where it has more tacks and gybes than wanted, search as if they cost more."""
-    best = _find_within_limits(asked, options, job, ledger)
-    most = math.inf if options.most_turns is None else options.most_turns
-    tack, gybe, turn = asked.how.handling.pauses
-    for extra in DEARER_S:
-        if best[2].turns <= most or options.preset == "classic":
-            break
+    """Find a passage; where it has more tacks and gybes than wanted, search as if they cost more.
+
+    Where laying out the boards of a long beat lost much against the hull of the polar, they are searched as
+    well, and the faster passage is taken.
+    """
+
+    def as_if_dearer(extra: float) -> tuple[Fastest, Course, Resailed]:
+        tack, gybe, turn = asked.how.handling.pauses
         handling = replace(asked.how.handling, pauses=(tack + extra, gybe + extra, turn))
         dearer = replace(asked, how=replace(asked.how, handling=handling))
-        fewer = _find_within_limits(dearer, options, job, ledger, sailed_as=asked)
-        best = min(best, fewer, key=lambda found: found[2].turns)
+        return _find_within_limits(dearer, options, job, ledger, sailed_as=asked)
+
+    best = _find_within_limits(asked, options, job, ledger)
+    if options.preset == "classic" or not options.tacking:
+        return best
+    found, _, sailed = best
+    lost = (float(sailed.time[-1]) - asked.departure) / found.line.seconds - 1.0
+    free = options.refine and options.board_h is None and not found.boards_found
+    if free and sailed.turns and lost > BOARDS_COST:
+        best = min(best, as_if_dearer(CHEAP_TURN_S), key=lambda one: float(one[2].time[-1]))
+    most = math.inf if options.most_turns is None else options.most_turns
+    for extra in DEARER_S:
+        if best[2].turns <= most:
+            break
+        best = min(best, as_if_dearer(extra), key=lambda one: one[2].turns)
     return best
 
 
