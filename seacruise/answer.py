@@ -185,7 +185,7 @@ class Answer:
         most = self.request.options.most_turns
         if most is not None and self.sailed.turns > most:
             said.append(
-                f"{self.sailed.turns} tacks and gybes are needed; the water is too narrow for only {most}."
+                f"She tacks and gybes {self.sailed.turns} times: no passage with only {most} was found."
             )
         said.extend(self._limits_without_forecast())
         if self.request.zones:

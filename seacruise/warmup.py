@@ -7,7 +7,10 @@ background when it opens. What is compiled stays on disk.
 from __future__ import annotations
 
 import sys
+from dataclasses import replace
 from datetime import timedelta
+
+import numpy as np
 
 from seacruise.progress import Job
 from seacruise.settings import Settings
@@ -20,6 +23,7 @@ def warm_up(settings: Settings | None = None) -> None:
     from seacruise.reach import ReachRequest, reach
     from seacruise.resources import resource_path
     from seacruise.weather.sample import sample_wind
+    from seacruise.weather.wind import Current
     from seacruise.yacht.fleet import find_yacht, load_fleet
 
     ports = load_ports()
@@ -33,6 +37,13 @@ def warm_up(settings: Settings | None = None) -> None:
     )
     settings = settings or Settings.from_environment()
     plan(request, settings=settings, job=Job())
+    # The kernels have a second version for moving water, and turning has kernels of its own.
+    still = np.zeros((1, wind.lat.size, wind.lon.size), dtype=np.float32)
+    water = Current(wind.time[:1], wind.lat, wind.lon, still, still, wind.forecast)
+    drifting = replace(wind, current=water)
+    costly = replace(request.options, tack_penalty_min=1.0, shore_clearance_nm=0.5)
+    plan(replace(request, wind=drifting), settings=settings, job=Job())
+    plan(replace(request, options=costly), settings=settings, job=Job())
     outing = ReachRequest(request.start, request.yacht, wind, 2.0, request.departure)
     reach(outing, ports=ports, settings=settings, job=Job())
 

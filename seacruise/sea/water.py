@@ -29,9 +29,17 @@ FARTHEST_WAY_NM: Final = 45.0
 APPROACH_NM: Final = 1.0
 """Where a distance from the shore is kept, this much room is left beside the ways out of a port [nm]."""
 
+NOT_MUCH_LONGER: Final = 1.3
+"""Ways out that are longer than the shortest one by more than this factor do not count there."""
+
 SECTORS: Final = 8
 
 _STEPS_AT_ONCE: Final = 32
+
+_POND: Final = 16
+_AIM: Final = 255
+"""Side of a body of water too small to be looked for [cells], and the mark of cells that ways lead to."""
+
 _LINES_A_CORE: Final = 20_000
 _CORES: Final = min(4, os.cpu_count() or 1)
 
@@ -198,8 +206,8 @@ class Sea:
         distance_m
             True distance [m]; measured by the cells of the raster, so kept to a cell's width.
         ports
-            Positions [degrees]; on their ways out to water that is far enough from the shore, and within
-            `APPROACH_NM` of these, every water stays water.
+            Positions [degrees]; on the shortest ways of each to water that is far enough from the shore, and
+            within `APPROACH_NM` of these, every water stays water.
         """
         return _kept_off(self.water, round(distance_m), tuple(ports))
 
@@ -244,27 +252,61 @@ def _workers() -> ThreadPoolExecutor:
 def _kept_off(water: raster.WaterRaster, distance_m: int, ports: tuple[tuple[float, float], ...]) -> Sea:
     from seacruise.sea import _kernels as k
 
-    sea = Sea(water)
     latitudes, _ = from_mercator(0.0, water.y0 + (np.arange(water.cells.shape[0]) + 0.5) * water.cell)
     rings = np.ceil(distance_m / (water.cell * scale(latitudes)))[:, None]
-    cells = np.where(water.cells < k.WATER + rings, k.LAND, water.cells).astype(np.uint8)
-    for port in ports:
-        per_nm = METRES_PER_NM / float(scale(port[0]))
-        x, y = (float(c) for c in to_mercator(*port))
-        ways = sea.ways_out(*port, room_m=distance_m / float(scale(port[0])))
-        points = np.vstack([[[x, y]], ways[:, :2], ways[:, 2:]])
-        reach = math.ceil(APPROACH_NM * per_nm / water.cell)
-        columns, rows = (np.floor(c).astype(int) for c in water.lines(points[:, 0], points[:, 1]))
-        for row, column in set(zip(rows.tolist(), columns.tolist(), strict=True)):
+    cells = np.where(water.cells < k.WATER + rings, k.LAND, k.WATER).astype(np.uint8)
+    for (lat, _), (rows, columns) in zip(ports, _shortest_ways(water, cells, ports), strict=True):
+        reach = math.ceil(APPROACH_NM * METRES_PER_NM / float(scale(lat)) / water.cell)
+        for row, column in zip(rows.tolist(), columns.tolist(), strict=True):
             window = np.s_[
                 max(0, row - reach) : max(0, row + reach + 1),
                 max(0, column - reach) : max(0, column + reach + 1),
             ]
             cells[window] = np.minimum(water.cells[window], k.WATER)
-    cells[cells > k.WATER] = k.WATER
     k.count_free_cells(cells)
     cells.setflags(write=False)
     return Sea(replace(water, cells=cells))
+
+
+def _shortest_ways(
+    water: raster.WaterRaster, open_water: NDArray[np.uint8], ports: Sequence[tuple[float, float]]
+) -> list[tuple[NDArray[np.int64], NDArray[np.int64]]]:
+    """Rows and columns of the cells by which ports lead to the nearest body of open water they all reach.
+
+    The shortest way of each, and those to other sides that are hardly longer: one along the coast would be an
+    excuse to keep no distance at all. Ponds of open water behind narrows are no aim unless all reach them;
+    ways lead on through them.
+    """
+    from seacruise.sea import _kernels as k
+
+    at = [tuple(math.floor(float(c)) for c in water.lines(*to_mercator(*port))) for port in ports]
+    far = [math.ceil(FARTHEST_WAY_NM * METRES_PER_NM / float(scale(lat)) / water.cell) for lat, _ in ports]
+    bodies = k.name_bodies(open_water.copy(), _POND, np.empty(open_water.size // 4 + 1024, dtype=np.int64))
+
+    def around(here: tuple[int, ...], most: int) -> tuple[int, int, Any]:
+        first, left = max(0, here[1] - most), max(0, here[0] - most)
+        return first, left, np.s_[first : here[1] + most + 1, left : here[0] + most + 1]
+
+    def way(here: tuple[int, ...], most: int, body: int) -> tuple[int, NDArray[np.int64], NDArray[np.int64]]:
+        first, left, window = around(here, most)
+        aim = np.where(bodies[window] == body, _AIM, np.minimum(water.cells[window], k.WATER))
+        rows, columns, lengths = k.ways_out(
+            aim.astype(np.uint8), here[1] - first, here[0] - left, _AIM - k.WATER, most, SECTORS
+        )
+        # No way is as long as all cells of the window, which stands for none.
+        shortest = int(lengths[lengths > 0].min(initial=aim.size))
+        kept = np.repeat(lengths <= NOT_MUCH_LONGER * shortest, lengths)
+        return shortest, rows[kept].astype(np.int64) + first, columns[kept].astype(np.int64) + left
+
+    near = [set(np.unique(bodies[around(*place)[2]]).tolist()) for place in zip(at, far, strict=True)]
+    common = sorted(set.intersection(*near) - {k.LAND, k.WATER}) if near else []
+    found = [[way(*place, body) for place in zip(at, far, strict=True)] for body in common]
+    met = [ways for ways in found if all(rows.size for _, rows, _ in ways)]
+    if not met:
+        # With no open water to meet in there is no way; the ports themselves are water all the same.
+        return [(np.array([row]), np.array([column])) for column, row in at]
+    nearest = min(met, key=lambda ways: sum(shortest for shortest, _, _ in ways))
+    return [(rows, columns) for _, rows, columns in nearest]
 
 
 @lru_cache(maxsize=4)

@@ -53,7 +53,9 @@ APART_NM = 60.0405
 def set_to(direction_deg: float, speed_kn: float, *, days: float = 10.0) -> Current:
     """Make a current that is the same everywhere and always."""
     flow = wind_of([T0 - HOUR, T0 + days * 24 * HOUR], [57.0], speed_kn * MS_PER_KNOT, direction_deg + 180.0)
-    return Current(flow.time, flow.lat, flow.lon, flow.u, flow.v, replace(flow.forecast, source="Tide tables"))
+    return Current(
+        flow.time, flow.lat, flow.lon, flow.u, flow.v, replace(flow.forecast, source="Tide tables")
+    )
 
 
 FRESH = steady_wind(12.0, 270.0)
@@ -86,7 +88,9 @@ def by_all_headings(
     across = speed * np.sin(heading - course) + current[0] * north - current[1] * east
     along = speed * np.cos(heading - course) + current[0] * east + current[1] * north
     crossing = np.flatnonzero((across[:-1] * across[1:] <= 0.0) & (np.abs(np.diff(across)) < 0.1))
-    share = across[crossing] / np.where(across[crossing] == across[crossing + 1], 1.0, -np.diff(across)[crossing])
+    share = across[crossing] / np.where(
+        across[crossing] == across[crossing + 1], 1.0, -np.diff(across)[crossing]
+    )
     return np.asarray(along[crossing] + share * np.diff(along)[crossing])
 
 
@@ -147,9 +151,7 @@ def test_in_still_water_it_is_the_boat_speed() -> None:
 
 
 def test_a_stream_stronger_than_she_is_lets_her_go_nowhere_against_it() -> None:
-    against, along = (
-        made_good(hull(), (0.0, -6.0), (0.0, -20.0), course) for course in (0.0, math.pi)
-    )
+    against, along = (made_good(hull(), (0.0, -6.0), (0.0, -20.0), course) for course in (0.0, math.pi))
     assert against == 0.0
     assert along > 20.0
 
@@ -300,7 +302,7 @@ def test_json_tells_of_the_current_only_where_there_is_one(across: Plan) -> None
     assert not any(CURRENT_KEYS & set(waypoint) for waypoint in still["waypoints"])
     *legs, last = moving["waypoints"]
     for leg in legs:
-        assert CURRENT_KEYS <= set(leg)
+        assert set(leg) >= CURRENT_KEYS
         assert all(leg[key] is not None for key in CURRENT_KEYS)
     assert not CURRENT_KEYS & set(last)
 
