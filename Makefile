@@ -4,7 +4,7 @@
 BIN := .venv/bin
 export PYTHON
 
-.PHONY: help run demo test bench clean distclean
+.PHONY: help run demo test bench bundle clean distclean
 .NOTPARALLEL:
 
 help:
@@ -12,6 +12,7 @@ help:
 	@echo "make demo   compute Gdynia - Stockholm on real wind of 2016; writes build/demo.png and build/demo.gpx"
 	@echo "make test   ruff, mypy and all tests"
 	@echo "make bench  measure; prints JSON"
+	@echo "make bundle one folder for computers without Python: build/bundle/seacruise (docs/bundle.md)"
 	@echo "make clean  remove what was built; make distclean: .venv too"
 
 run:
@@ -29,17 +30,23 @@ demo:
 	$(BIN)/seacruise plan --from Gdynia --to Stockholm --depart 2016-11-20T06:00Z \
 	    --yacht "Bavaria 46 Cruiser" --forecast sample --chart build/demo.png --gpx build/demo.gpx
 
-# The import contracts are held by tests/test_house.py.
+# The import contracts are held by tests/test_house.py. The window is tested alone: its tests look at how long
+# the screen stands still.
 test:
 	@tools/setup.sh dev
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
-	$(BIN)/python -m pytest
+	$(BIN)/python -m pytest --numprocesses=2 --dist=loadfile --ignore=tests/desktop --ignore=tests/display
+	$(BIN)/python -m pytest tests/desktop tests/display
 
 bench:
 	@tools/setup.sh bench
 	@$(BIN)/python -m benchmarks
+
+bundle:
+	@tools/setup.sh bundle
+	@$(BIN)/python tools/bundle/build.py
 
 clean:
 	rm -rf build dist .mypy_cache .pytest_cache .ruff_cache .hypothesis .import_linter_cache

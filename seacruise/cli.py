@@ -121,6 +121,8 @@ def _own_error(error: Exception) -> SeaCruiseError:
     from seacruise.settings import Settings
 
     settings = Settings.from_environment()
+    # A process that has asked the system's keychain may show what it found there.
+    settings = settings.with_key() if "keyring" in sys.modules else settings
     text = "".join(traceback.format_exception(error))
     if settings.stormglass_key:
         text = text.replace(settings.stormglass_key, "(key)")

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 from seacruise.settings import Settings
@@ -23,6 +24,9 @@ try:
 finally:
     if not _SCIPY_IS_LOADED:
         del sys.modules["scipy"]
+
+_IS_BUNDLED = getattr(sys, "frozen", False)
+_HOME = Path(__file__).resolve().parent.parent
 
 
 def kernel(function: Callable[..., Any]) -> Callable[..., Any]:
@@ -57,15 +61,28 @@ def chosen(choose: Callable[..., Callable[..., Any]]) -> Callable[..., Any]:
 def _compile(function: Callable[..., Any], **more: str) -> Callable[..., Any]:
     options: dict[str, Any] = {"nogil": True, "error_model": "numpy", **more}
     compiled: Callable[..., Any]
+    if _IS_BUNDLED:
+        _place(function)
+        _keep_in_cache()
     try:
         compiled = njit(cache=True, **options)(function)
     except RuntimeError:
         # Neither the program's own folder nor the user's can be written; the sailor's may.
-        numba.config.CACHE_DIR = str(  # type: ignore[attr-defined]
-            Settings.from_environment().cache_dir / "kernels"
-        )
+        _keep_in_cache()
         try:
             compiled = njit(cache=True, **options)(function)
         except (RuntimeError, OSError):
             compiled = njit(**options)(function)
     return compiled
+
+
+def _place(function: Callable[..., Any]) -> None:
+    # Code in a bundle names its file relative to the bundle. numba would look for it where the sailor
+    # happens to stand, and compile anew in every other folder.
+    code = function.__code__
+    function.__code__ = code.replace(co_filename=str(_HOME / code.co_filename))
+
+
+def _keep_in_cache() -> None:
+    kept = Settings.from_environment().cache_dir / "kernels"
+    numba.config.CACHE_DIR = str(kept)  # type: ignore[attr-defined]

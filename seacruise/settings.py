@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from pathlib import Path
+
+from seacruise.keychain import STORM_GLASS, KeyChain
 
 STORMGLASS_URL = "https://api.stormglass.io"
 OPENMETEO_URL = "https://api.open-meteo.com"
@@ -33,6 +35,8 @@ class Settings:
         Things that are the sailor's: ``seacruise.sqlite``, ``polars/``, ``layers/``.
     stormglass_key
         The bare key, or ``None``; excluded from ``repr`` so that no log can show it.
+    keys
+        Where a key may be kept besides; only asked by `with_key`.
     """
 
     cache_dir: Path
@@ -41,6 +45,7 @@ class Settings:
     openmeteo_url: str = OPENMETEO_URL
     metno_url: str = METNO_URL
     stormglass_key: str | None = None
+    keys: KeyChain | None = field(default=None, compare=False)
 
     def __repr__(self) -> str:
         return f"Settings(cache_dir={str(self.cache_dir)!r}, data_dir={str(self.data_dir)!r})"
@@ -59,6 +64,15 @@ class Settings:
     def layers(self) -> Path:
         """Folder in which the sailor drops GeoJSON files of zones to keep out of."""
         return self.data_dir / "layers"
+
+    def with_key(self) -> Settings:
+        """Look for the Storm Glass key in the system's keychain where the environment has none.
+
+        That may ask the sailor to unlock it, and so is only done when Storm Glass is about to be used.
+        """
+        if self.stormglass_key or self.keys is None:
+            return self
+        return replace(self, stormglass_key=self.keys.get(STORM_GLASS))
 
     @classmethod
     def from_environment(cls, environ: Mapping[str, str] | None = None) -> Settings:
@@ -79,4 +93,5 @@ class Settings:
             openmeteo_url=env.get("SEACRUISE_OPENMETEO_URL", OPENMETEO_URL).rstrip("/"),
             metno_url=env.get("SEACRUISE_METNO_URL", METNO_URL).rstrip("/"),
             stormglass_key=env.get("STORMGLASS_API_KEY", "").strip() or None,
+            keys=KeyChain(),
         )

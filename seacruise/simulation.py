@@ -28,6 +28,7 @@ from seacruise.ports import Port
 from seacruise.progress import Job
 from seacruise.settings import Settings
 from seacruise.units import MS_PER_KNOT, SECONDS_PER_HOUR
+from seacruise.weather.beyond import extend
 
 if TYPE_CHECKING:
     from seacruise.routing.resail import Resailed
@@ -154,7 +155,10 @@ def simulate(
     """
     if request.departure is None or request.departure.tzinfo is None:
         raise InputError("A simulation needs a departure with a time zone (--depart).")
-    sailor = _Sailor(request, _by_issue(forecasts), truth, settings, tolerance or Tolerance(), job)
+    # What is planned, sailed and held against each other is one wind, beyond its horizon too.
+    known = [extend(wind, request.options.beyond) for wind in _by_issue(forecasts)]
+    truth = extend(truth, request.options.beyond)
+    sailor = _Sailor(request, known, truth, settings, tolerance or Tolerance(), job)
     first = sailor.planned((), request.departure)
     job.report("check", None, "Sailing the first plan in the true wind")
     kept = sailor.sail(waypoints_of(first), request.departure)

@@ -34,6 +34,7 @@ from seacruise.progress import Job
 from seacruise.settings import Settings
 from seacruise.sun import night_hours
 from seacruise.units import SECONDS_PER_HOUR
+from seacruise.weather.beyond import extend_each
 from seacruise.weather.wind import Forecast, Wind
 from seacruise.yacht.polar import Polar
 
@@ -236,6 +237,9 @@ def compare(
         raise InputError(
             f"{runs_asked} passages are too many at once (the most is {MOST_RUNS}); ask for fewer departures."
         )
+    # Before the members go their own ways: they fade to their common mean.
+    winds = extend_each([(request.wind, request.options.beyond) for request in requests])
+    requests = [replace(request, wind=wind) for request, wind in zip(requests, winds, strict=True)]
     with _pool(executor, job) as (pool, cancel):
         progress = _Progress(job, runs_asked)
         own = [_Task(_without_members(request), settings) for request in requests]

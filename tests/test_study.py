@@ -292,6 +292,37 @@ def test_the_passage_of_the_mean_is_no_faster_than_a_members_own(two_bands: Stud
             assert member.followed_h > 0.99 * member.duration_h
 
 
+def test_members_fade_to_their_common_mean(sea_settings: Settings, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Alone a member would fade to its own mean; together, and once for all departures, to that of all."""
+    whole = with_members((0.6, 1.0, 1.4))
+    early = whole.time <= whole.time[0] + 7 * 3600.0
+    forecast = replace(whole.forecast, valid_to=datetime.fromtimestamp(float(whole.time[early][-1]), UTC))
+
+    def cut(wind: Wind, **more: Any) -> Wind:
+        return replace(
+            wind, time=wind.time[early], u=wind.u[early], v=wind.v[early], forecast=forecast, **more
+        )
+
+    members = tuple(cut(member) for member in whole.members)
+    wind = replace(cut(replace(whole, members=())), members=members)
+    tasks: list[Any] = []
+
+    def run(task: Any, _cancel: Any) -> Run:
+        tasks.append(task)
+        return study._none(task, task.request.departure or DEPARTURE, "becalmed", "Becalmed.")
+
+    monkeypatch.setattr(study, "_run", run)
+    requests = every(1, 2, asked(wind=wind, departure=None, options=Options(beyond="fade")))
+    compare(requests, settings=sea_settings)
+    last = np.mean([member.u[-1] for member in members], axis=0)
+    sailed = [task.request.wind for task in tasks if task.member is not None]
+    assert len(sailed) == 6
+    for one in sailed:
+        assert one.time[-1] == wind.time[-1] + 24 * 3600.0
+        np.testing.assert_allclose(one.u[-1], last, atol=1e-4)
+    assert len({id(one) for one in sailed}) == 3, "extended once, not for each departure"
+
+
 def test_members_becalmed_never_arrive(sea_settings: Settings) -> None:
     band = ensemble(asked(wind=with_members((1.0, 0.0, 0.0))), settings=sea_settings)
     assert band.found == 1

@@ -465,3 +465,42 @@ def test_issues_must_be_known(words: list[str], capsys: pytest.CaptureFixture[st
     assert cli.main([*SIMULATE, *words]) == 2
     err = capsys.readouterr().err
     assert len([line for line in err.splitlines() if line.startswith("seacruise: ")]) == 1
+
+
+def test_weights_and_a_current_are_those_of_plan(
+    file: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    asked: list[dict[str, Any]] = []
+
+    def fetch(names: list[str], **more: Any) -> Wind:
+        asked.append({"names": list(names), **more})
+        return issued(sample_wind(), datetime(2016, 11, 20, tzinfo=UTC))
+
+    monkeypatch.setattr("seacruise.weather.source.fetch_wind", fetch)
+    words = ["replan", str(file), "--time", "2016-11-20T18:00Z", "--forecast", "a.grb", "--forecast", "b.grb"]
+    assert cli.main([*words, "--weights", "2,1", "--current", "c.nc"]) == 0
+    assert asked[0]["names"] == ["a.grb", "b.grb"]
+    assert (asked[0]["weights"], asked[0]["current"]) == ((2.0, 1.0), Path("c.nc"))
+    assert cli.main([*words, "--weights", "2,x"]) == 2
+    asked.clear()
+    assert cli.main([*SIMULATE, "--forecast", "a.grb", "--current", "c.nc"]) == 0
+    assert [(one["names"], one["current"]) for one in asked] == [
+        (["a.grb"], Path("c.nc")),
+        (["sample"], Path("c.nc")),
+    ]
+    capsys.readouterr()
+
+
+def test_beyond_the_horizon_the_wind_that_fades_is_the_one_forecast(sea_settings: Settings) -> None:
+    """A forecast that comes true, and ends under way: what is met is what was planned."""
+    wind = issued(sample_wind(), datetime(2016, 11, 20, tzinfo=UTC))
+    early = wind.time <= wind.time[0] + 12 * 3600.0
+    last = datetime.fromtimestamp(float(wind.time[early][-1]), UTC)
+    cut = replace(
+        wind, time=wind.time[early], u=wind.u[early], v=wind.v[early],
+        forecast=replace(wind.forecast, valid_to=last),
+    )  # fmt: skip
+    request = replace(short(cut), options=Options(beyond="fade"))
+    voyage = simulate(request, [cut], cut, settings=sea_settings)
+    assert voyage.log == ()
+    assert voyage.sailed_h == pytest.approx(voyage.kept_h)

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import argparse
 
-from seacruise.commands import polar_compare, polar_convert, polar_fit, polar_hull, polar_show
+from seacruise.commands import polar_compare, polar_convert, polar_fit, polar_hull, polar_plot, polar_show
 
-ACTIONS = (polar_show, polar_hull, polar_compare, polar_convert, polar_fit)
+ACTIONS = (polar_show, polar_plot, polar_hull, polar_compare, polar_convert, polar_fit)
 """In the order of the help text."""
 
 

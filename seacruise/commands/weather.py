@@ -45,6 +45,7 @@ def run_fetch(arguments: argparse.Namespace) -> int:
         print(dumps(describe(wind)))
     else:
         from seacruise.export.textform import format_forecast
+        from seacruise.weather.contents import carried
 
         print(format_forecast(wind.forecast, now=datetime.now(UTC)))
         print(f"{wind.time.size} times at {wind.lat.size * wind.lon.size} points, {wind.describe_area()}")
@@ -57,6 +58,7 @@ def run_fetch(arguments: argparse.Namespace) -> int:
 def describe(wind: Wind) -> dict[str, Any]:
     """Put what a wind covers into an object: the forecast as in a passage, and the size of the grid."""
     from seacruise.export.jsonform import forecast_to_json
+    from seacruise.weather.contents import carried
 
     return {
         "schema": "seacruise.weather/1",
@@ -72,13 +74,6 @@ def describe(wind: Wind) -> dict[str, Any]:
         "west": float(wind.lon[0]),
         "east": float(wind.lon[-1]),
     }
-
-
-def carried(wind: Wind) -> list[str]:
-    """Name what a forecast has besides the wind."""
-    parts = {"gusts": wind.gust, "waves": wind.wave, "current": wind.current, "spread": wind.spread}
-    members = [f"{len(wind.members)} members"] if wind.members else []
-    return [name for name, part in parts.items() if part is not None] + members
 
 
 def run_info(arguments: argparse.Namespace) -> int:

@@ -42,6 +42,8 @@ class Question:
         A place to be led through.
     avoid
         Areas that the sailor marked on the chart.
+    weights
+        Weights of several forecasts in their mean; empty for equal ones.
     """
 
     start: Port
@@ -52,6 +54,7 @@ class Question:
     options: Options
     via: Port | None = None
     avoid: tuple[Zone, ...] = field(default=(), compare=False)
+    weights: tuple[float, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,7 +97,13 @@ def fetch_wind(question: Question, settings: Settings, job: Job) -> Wind:
     from seacruise.between import fetch_wind_between
 
     return fetch_wind_between(
-        question.forecast, question.start, question.end, question.departure, settings=settings, job=job
+        question.forecast,
+        question.start,
+        question.end,
+        question.departure,
+        settings=settings,
+        job=job,
+        weights=question.weights or None,
     )
 
 

@@ -26,6 +26,7 @@ from PySide6.QtWidgets import (
 from seacruise.desktop.banner import text_label
 from seacruise.desktop.compute import Question, refuse_same_port
 from seacruise.desktop.departure_field import DepartureField
+from seacruise.desktop.pages.reach_model import Outset
 from seacruise.desktop.port_field import PortField
 from seacruise.desktop.style import scaled_font, show_icon
 from seacruise.errors import InputError
@@ -39,7 +40,7 @@ FILE_TYPES: Final = "GRIB, NetCDF (*.grib *.grib2 *.grb *.grb2 *.nc *.nc4);;* (*
 _CHOOSE_FILE: Final = "choose-file"
 _KINDS: Final[dict[str, type | tuple[type, ...]]] = {
     **dict.fromkeys(("start", "end", "yacht"), str),
-    "forecast": list,
+    **dict.fromkeys(("forecast", "weights"), list),
     **dict.fromkeys(("percent_of_polar", "max_wind_kn", "motor_below_kn"), (int, float)),
 }
 """What a window keeps of its form, and of which kind it is."""
@@ -66,6 +67,7 @@ class PassageForm(QFrame):
         self._wanted_yacht = ""
         self._options = Options()
         self._forecast: tuple[str, ...] = ("auto",)
+        self._weights: tuple[float, ...] = ()
         self.start_field, self.end_field = PortField(self), PortField(self)
         self.departure = DepartureField(self)
         self.yacht_box, self.forecast_box = QComboBox(self), QComboBox(self)
@@ -192,6 +194,9 @@ class PassageForm(QFrame):
         for text, name in (
             (self.tr("Automatic"), "auto"),
             (self.tr("Storm Glass (needs a key)"), "stormglass"),
+            (self.tr("Open-Meteo"), "open-meteo"),
+            (self.tr("Open-Meteo ensemble"), "open-meteo-ensemble"),
+            (self.tr("MET Norway"), "metno"),
             (self.tr("Practice weather (not a forecast)"), "practice"),
             (self.tr("Sample: 20–22 November 2016"), "sample"),
             (self.tr("GRIB or NetCDF file…"), _CHOOSE_FILE),
@@ -208,14 +213,7 @@ class PassageForm(QFrame):
         InputError
             What is wrong, and in which field; the field has the focus then.
         """
-        ends = []
-        for field in (self.start_field, self.end_field):
-            try:
-                ends.append(field.require_port())
-            except InputError:
-                field.mark_wrong(wrong=True)
-                field.setFocus()
-                raise
+        ends = [_port_in(field) for field in (self.start_field, self.end_field)]
         refuse_same_port(*ends)
         return Question(
             start=ends[0],
@@ -223,6 +221,24 @@ class PassageForm(QFrame):
             departure=self.departure.require_moment(),
             yacht=self._yacht(),
             forecast=self._forecast,
+            weights=self._weights,
+            options=self.options(),
+        )
+
+    def outset(self) -> Outset:
+        """Say what the form asks but for the end.
+
+        Raises
+        ------
+        InputError
+            What is wrong, and in which field; the field has the focus then.
+        """
+        return Outset(
+            start=_port_in(self.start_field),
+            departure=self.departure.require_moment(),
+            yacht=self._yacht(),
+            forecast=self._forecast,
+            weights=self._weights,
             options=self.options(),
         )
 
@@ -249,6 +265,11 @@ class PassageForm(QFrame):
     def forecast(self) -> tuple[str, ...]:
         """Chosen forecast, as on the command line."""
         return self._forecast
+
+    @property
+    def weights(self) -> tuple[float, ...]:
+        """Weights of several forecasts in their mean; empty for equal ones."""
+        return self._weights
 
     @property
     def ends(self) -> dict[str, Port]:
@@ -278,6 +299,7 @@ class PassageForm(QFrame):
             "end": self.end_field.text(),
             "yacht": self._wanted_yacht,
             "forecast": list(self._forecast),
+            "weights": list(self._weights),
             "percent_of_polar": self.percent_box.value(),
             "max_wind_kn": self.max_wind_box.value(),
             "motor_below_kn": self.motor_box.value(),
@@ -298,7 +320,9 @@ class PassageForm(QFrame):
             if (at := self.yacht_box.findText(self._wanted_yacht)) >= 0:
                 self.yacht_box.setCurrentIndex(at)
         if forecast := values.get("forecast"):
-            self.set_forecast(tuple(str(name) for name in forecast))
+            names, weights = tuple(str(name) for name in forecast), tuple(values.get("weights") or ())
+            fits = len(weights) == len(names) and all(isinstance(w, int | float) and w > 0 for w in weights)
+            self.set_forecast(names, weights if fits else ())
         known = {field.name for field in fields(Options)}
         self._options = replace(self._options, **{k: v for k, v in values.items() if k in known})
         for key, box in (
@@ -340,8 +364,8 @@ class PassageForm(QFrame):
     def _yacht_picked(self) -> None:
         self._wanted_yacht = self.yacht_box.currentText()
 
-    def set_forecast(self, names: tuple[str, ...]) -> None:
-        """Choose a forecast by the names of the command line; files get an entry of their own."""
+    def set_forecast(self, names: tuple[str, ...], weights: tuple[float, ...] = ()) -> None:
+        """Choose a forecast by the names of the command line; what is not there gets an entry."""
         at = next(
             (i for i in range(self.forecast_box.count()) if tuple(self.forecast_box.itemData(i)) == names), -1
         )
@@ -350,14 +374,15 @@ class PassageForm(QFrame):
             text = ", ".join(Path(name).name for name in names)
             self.forecast_box.insertItem(at, text, names)
         self.forecast_box.setCurrentIndex(at)
-        changed, self._forecast = names != self._forecast, names
+        changed = (names, weights) != (self._forecast, self._weights)
+        self._forecast, self._weights = names, weights
         if changed:
             self.forecast_changed.emit()
 
     def _forecast_picked(self, index: int) -> None:
         names = tuple(self.forecast_box.itemData(index))
         if names == (_CHOOSE_FILE,):
-            self.set_forecast(self._forecast)
+            self.set_forecast(self._forecast, self._weights)
             self._ask_for_files()
         else:
             self.set_forecast(names)
@@ -410,3 +435,13 @@ class PassageForm(QFrame):
         if had_focus:
             # Qt would pass it on to whatever comes next.
             after.setFocus()
+
+
+def _port_in(field: PortField) -> Port:
+    """Give the port that a field names; one that names none has the focus then."""
+    try:
+        return field.require_port()
+    except InputError:
+        field.mark_wrong(wrong=True)
+        field.setFocus()
+        raise

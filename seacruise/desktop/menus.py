@@ -16,6 +16,9 @@ Command = Callable[[], object]
 class Commands:
     """What the menus call."""
 
+    save: Command
+    saved: Command
+    weather: Command
     save_gpx: Command
     save_csv: Command
     save_png: Command
@@ -44,6 +47,8 @@ class Menus(QObject):
         Whether changes are sailed at once.
     layers
         Switches of the chart's layers, of ``measure`` and of the table ``legs``.
+    passage
+        The menu of the passage, which pages add themselves to.
     """
 
     def __init__(self, window: QMainWindow, commands: Commands, undo: QUndoStack) -> None:
@@ -51,12 +56,18 @@ class Menus(QObject):
         bar = window.menuBar()
         file_menu, edit_menu = bar.addMenu(self.tr("&File")), bar.addMenu(self.tr("&Edit"))
         view_menu, passage_menu = bar.addMenu(self.tr("&View")), bar.addMenu(self.tr("&Passage"))
+        self.passage = passage_menu
         help_menu = bar.addMenu(self.tr("&Help"))
+        save = _action(file_menu, self.tr("Sa&ve this passage"), commands.save, "Ctrl+Shift+S")
         self.exports = [
             _action(file_menu, self.tr("Save route as &GPX…"), commands.save_gpx, "Ctrl+S"),
             _action(file_menu, self.tr("Save legs as &CSV…"), commands.save_csv),
             _action(file_menu, self.tr("Save chart as &PNG…"), commands.save_png),
+            save,
         ]
+        file_menu.addSeparator()
+        _action(file_menu, self.tr("Saved &passages…"), commands.saved, "Ctrl+O")
+        _action(file_menu, self.tr("&Weather…"), commands.weather, "F3")
         file_menu.addSeparator()
         _action(file_menu, self.tr("&Quit"), commands.quit, "Ctrl+Q")
         self._add_undo(edit_menu, undo)

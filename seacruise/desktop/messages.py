@@ -95,18 +95,23 @@ def _known() -> dict[str, tuple[str, str, WayOut]]:
         ),
         "no-key": (
             tr("Storm Glass needs a key"),
-            tr("Set STORMGLASS_API_KEY and start SeaCruise again; without a key there is practice weather."),
+            tr("Paste one on the weather page (F3); without a key there is Open-Meteo, or practice weather."),
             WayOut.PRACTICE,
         ),
         "bad-key": (
             tr("Storm Glass does not accept the key"),
-            tr("Check STORMGLASS_API_KEY; until then there is practice weather."),
+            tr("Check it on the weather page (F3); until then there is practice weather."),
             WayOut.PRACTICE,
         ),
         "quota": (
             tr("Today's requests are spent"),
             tr("The count starts again at 00:00 UTC; until then use a file or practice weather."),
             WayOut.PRACTICE,
+        ),
+        "too-often": (
+            tr("The weather service is asked too often"),
+            tr("Try again in a few minutes; until then use a file or practice weather."),
+            WayOut.RETRY,
         ),
         "bad-response": (
             tr("The weather cannot be used"),
@@ -120,7 +125,7 @@ def _known() -> dict[str, tuple[str, str, WayOut]]:
 def message_for(error: SeaCruiseError) -> Message:
     """Message for an error; its own sentence is always part of it."""
     known = _known()
-    title, advice, way_out = known.get(error.reason) or (
+    title, advice, way_out = known.get(_cause(error)) or (
         tr("No passage") if isinstance(error, NoPassageError) else tr("That did not work"),
         "",
         WayOut.NOTHING,
@@ -128,6 +133,13 @@ def message_for(error: SeaCruiseError) -> Message:
     if way_out is WayOut.SHOW_PLACE and getattr(error, "place", None) is None:
         way_out = WayOut.NOTHING
     return Message("error", title, str(error), advice, way_out)
+
+
+def _cause(error: SeaCruiseError) -> str:
+    """Tell a day's requests that are spent from a limit of the minute or the hour, which passes."""
+    sentence = str(error)
+    is_of_the_day = "today" in sentence or "00:00 UTC" in sentence
+    return "too-often" if error.reason == "quota" and not is_of_the_day else error.reason
 
 
 def way_out_text(way_out: WayOut) -> str:

@@ -86,7 +86,7 @@ class Steering(QObject):
         known = state.answer
         if known is None or not self.enabled or state.phase is Phase.COMPUTING or not form.is_answerable:
             return
-        if form.forecast != known.question.forecast:
+        if (form.forecast, form.weights) != (known.question.forecast, known.question.weights):
             return
         try:
             question = self.question()
@@ -94,6 +94,18 @@ class Steering(QObject):
             # Both ends in one place, on the way of one past the other.
             return
         self.router.ask(question, known)
+
+    def take_over(self, fill: Callable[[], None], question: Question) -> None:
+        """Let form, place to sail by and areas be those of a question, without sailing anything anew."""
+        enabled, self.enabled = self.enabled, False
+        try:
+            fill()
+            self.via = question.via
+            self.avoided.stack.clear()
+            self.avoided.put(question.avoid)
+            self._show_ends()
+        finally:
+            self.enabled = enabled
 
     def _departure_moved(self, moment: datetime) -> None:
         self._form.departure.set_moment(moment, chosen=True)

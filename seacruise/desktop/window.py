@@ -17,6 +17,7 @@ from seacruise.desktop.about import AboutDialog
 from seacruise.desktop.background import Background, Catalogue
 from seacruise.desktop.chart_pane import ChartPane
 from seacruise.desktop.compute import Answer, Fetcher, Planner, compute, fetch_wind, plan_passage
+from seacruise.desktop.dropped import dropped_files
 from seacruise.desktop.exporting import Exporter
 from seacruise.desktop.form import PassageForm
 from seacruise.desktop.jobs import GarbageKeeper, JobRunner, unexpected
@@ -26,6 +27,8 @@ from seacruise.desktop.legs import LegsTable
 from seacruise.desktop.memory import WindowMemory
 from seacruise.desktop.menus import Commands, Menus
 from seacruise.desktop.messages import Message, WayOut, message_for
+from seacruise.desktop.pages.desk import Desk
+from seacruise.desktop.pages.planning import Planning
 from seacruise.desktop.side_panel import SidePanel
 from seacruise.desktop.state import Phase, WindowState
 from seacruise.desktop.status import StatusLine
@@ -42,7 +45,6 @@ log = logging.getLogger(__name__)
 
 _HORIZON_EVERY_MS: Final = 300_000
 _WARM_UP_AFTER_MS: Final = 400
-_WIND_FILES: Final = (".grib", ".grib1", ".grib2", ".grb", ".grb1", ".grb2", ".nc", ".nc4")
 
 
 class MainWindow(QMainWindow):
@@ -82,10 +84,12 @@ class MainWindow(QMainWindow):
         self.steering = Steering(
             settings, planner, form=self.form, chart=self.chart, state=lambda: self.state, parent=self
         )
+        self.desk = Desk(settings, self)
         self._build_menus()
-        self.layers = Layers(settings, self.menus, self.chart.view, self)
+        self.layers: Layers = Layers(settings, self.menus, self.chart.view, self)
         self.status = StatusLine(self.statusBar())
         self.garbage = GarbageKeeper(self._is_busy, self)
+        self.planning = Planning(self, settings)
         self._connect()
         self._horizon_timer = QTimer(self)
         self._horizon_timer.setInterval(_HORIZON_EVERY_MS)
@@ -112,6 +116,9 @@ class MainWindow(QMainWindow):
         self.menus = Menus(
             self,
             Commands(
+                save=self.desk.save,
+                saved=self.desk.show_passages,
+                weather=self.desk.show_weather,
                 save_gpx=partial(self._export, self.exporter.ask_gpx),
                 save_csv=partial(self._export, self.exporter.ask_csv),
                 save_png=self._export_png,
@@ -134,6 +141,7 @@ class MainWindow(QMainWindow):
         form.submitted.connect(self.calculate)
         form.cancelled.connect(self.cancel)
         form.forecast_changed.connect(self._forecast_changed)
+        self.settled.connect(self.desk.note)
         self.jobs.progressed.connect(self._progressed)
         self.jobs.finished.connect(self._finished)
         self.jobs.failed.connect(self._failed)
@@ -150,6 +158,8 @@ class MainWindow(QMainWindow):
         background.polar_added.connect(self._polar_added)
         background.troubled.connect(self._show_trouble)
         background.warmed_up.connect(self.garbage.settle)
+        self.planning.frame.turned.connect(self._show_layers)
+        self.planning.way_out_chosen.connect(self._take_way_out)
         self.exporter.saved.connect(self._saved)
         self.exporter.failed.connect(self._show_trouble)
         self.side.way_out_chosen.connect(self._take_way_out)
@@ -238,7 +248,7 @@ class MainWindow(QMainWindow):
             self.chart.view.trouble.mark(error.place if isinstance(error, NoPassageError) else None)
 
     def _is_busy(self) -> bool:
-        return self.jobs.is_running or self.steering.router.is_busy
+        return self.jobs.is_running or self.steering.router.is_busy or self.planning.is_busy
 
     # --- showing ------------------------------------------------------------------------------------
 
@@ -293,10 +303,20 @@ class MainWindow(QMainWindow):
         self.chart.show_ribbon(passage.forecast.notice)
         self.steering.show_layers(answer.layers)
         self.layers.show_answer(answer)
-        self.legs_frame.setVisible(self.layers.is_on("legs"))
+        self.legs_frame.setVisible(self.layers.is_on("legs") and not self.planning.frame.is_open)
+
+    def show_saved(self, answer: Answer, message: Message) -> None:
+        """Show a passage that was saved, as it was."""
+        self.cancel()
+        self.steering.router.cancel()
+        self._set(self.state.rerouted(answer))
+        self._show_answer(answer)
+        self._message = message
+        self._show_side()
 
     def _show_layers(self) -> None:
-        self.legs_frame.setVisible(self.layers.is_on("legs") and self.state.answer is not None)
+        free = self.state.answer is not None and not self.planning.frame.is_open
+        self.legs_frame.setVisible(free and self.layers.is_on("legs"))
         self.layers.apply()
         self.chart.measure_button.setChecked(self.layers.is_on("measure"))
 
@@ -401,13 +421,11 @@ class MainWindow(QMainWindow):
 
     def dropEvent(self, event: QDropEvent) -> None:
         """Use a forecast, let a polar join the fleet."""
-        paths = [Path(url.toLocalFile()) for url in event.mimeData().urls() if url.isLocalFile()]
-        winds = [path for path in paths if path.suffix.lower() in _WIND_FILES]
+        winds, others = dropped_files(event.mimeData())
         if winds:
             self.form.set_forecast(tuple(str(path) for path in winds))
-        for path in paths:
-            if path not in winds:
-                self.background.add_polar(path)
+        for path in others:
+            self.background.add_polar(path)
         event.acceptProposedAction()
 
     def closeEvent(self, event: QCloseEvent) -> None:
@@ -422,8 +440,10 @@ class MainWindow(QMainWindow):
         self.garbage.stop()
         self.jobs.shut_down()
         self.steering.router.shut_down()
+        self.planning.shut_down()
         self.layers.jobs.shut_down()
         self.chart.view.painter_jobs.shut_down()
         self.background.shut_down()
+        self.desk.shut_down()
         self.exporter.shut_down()
         event.accept()

@@ -64,7 +64,9 @@ def surface(yacht: Yacht, *, points: LogPoints | None, theme: Theme) -> Figure:
 def colours(yacht: Yacht, *, points: LogPoints | None, theme: Theme) -> Figure:
     """Boat speed as colours over wind speed and angle, with lines of even speed and the best VMG."""
     winds, angles, speed = _grid(yacht)
-    figure = _sheet(yacht, theme, points, "Boat speed by true wind speed and angle, and the best beat and run")
+    figure = _sheet(
+        yacht, theme, points, "Boat speed by true wind speed and angle, and the best beat and run"
+    )
     left, bottom, width, height = room(0.05, 0.80)
     axes = figure.add_axes((left, bottom + 0.05, width, height - 0.09))
     dress(axes, theme)
@@ -152,7 +154,7 @@ def _scale(figure: Figure, drawn: Any, theme: Theme) -> None:
     bar = figure.colorbar(drawn, cax=place)
     bar.set_label("Boat speed [kn]", fontsize=8.5, color=theme.ink)
     bar.ax.tick_params(labelsize=8, colors=theme.muted, labelcolor=theme.ink)
-    bar.outline.set_edgecolor(theme.muted)  # type: ignore[operator]
+    bar.outline.set_edgecolor(theme.muted)
 
 
 def _points_key(figure: Figure, points: LogPoints | None, theme: Theme, *, colour: Any) -> None:

@@ -47,11 +47,11 @@ def hulls(yacht: Yacht, winds: Sequence[float], *, points: LogPoints | None, the
 
 def _square(left: float, width: float) -> tuple[float, float, float, float]:
     """Square whose middle half, in which half a circle is drawn, is a part of the sheet's width."""
-    half = min((width - 0.07) * WIDTH_IN, 0.355 * HEIGHT_IN)
+    half = min((width - 0.07) * WIDTH_IN, 0.33 * HEIGHT_IN)
     middle_in = (left + width / 2.0) * WIDTH_IN
     return (
         (middle_in - half) / WIDTH_IN,
-        0.45 - half / HEIGHT_IN,
+        0.44 - half / HEIGHT_IN,
         2.0 * half / WIDTH_IN,
         2.0 * half / HEIGHT_IN,
     )
@@ -188,7 +188,9 @@ def _tell(figure: Figure, cut: Slice, theme: Theme, place: tuple[float, float]) 
             tack = "" if not _mirrored(chord) else " starboard" if heading > 0 else " port"
             lines.append(f"   {abs(heading):.0f}°{tack}" + (f", {sail}" if sail else ""))
     if lines:
-        figure.text(*place, "Courses on two headings", fontsize=8.5, fontweight="bold", color=theme.ink, va="top")
+        figure.text(
+            *place, "Courses on two headings", fontsize=8.5, fontweight="bold", color=theme.ink, va="top"
+        )
         figure.text(
             place[0],
             place[1] - 0.022,

@@ -28,7 +28,7 @@ _FOOT_IN: Final = 0.75
 FORMS: Final = ("png", "pdf", "svg")
 """Formats of a picture; also its file's ending."""
 
-DASHES: Final = ("-", (0, (5, 2)), (0, (1.5, 1.5)), (0, (7, 2, 1.5, 2)))
+DASHES: Final[tuple[Any, ...]] = ("-", (0, (5, 2)), (0, (1.5, 1.5)), (0, (7, 2, 1.5, 2)))
 """Of the yachts that are compared, the first one's line is whole."""
 
 MOST_YACHTS: Final = len(DASHES)
@@ -134,7 +134,12 @@ def halo(theme: Theme) -> list[Any]:
 
 
 def key(
-    figure: Figure, theme: Theme, entries: Sequence[tuple[Any, str]], *, title: str, place: tuple[float, float]
+    figure: Figure,
+    theme: Theme,
+    entries: Sequence[tuple[Any, str]],
+    *,
+    title: str,
+    place: tuple[float, float],
 ) -> Legend:
     """Legend of handles and their words, its upper left corner at a place in parts of the sheet."""
     legend = figure.legend(

@@ -1,4 +1,4 @@
-"""Slices of a polar in one wind, ready to be drawn: curve, hull, best VMG, sails. Neither Qt nor matplotlib."""
+"""Slices of a polar in one wind, ready to be drawn: curve, hull, best VMG, sails."""
 
 from __future__ import annotations
 
@@ -98,21 +98,28 @@ class Slice:
     ranges: tuple[SailRange, ...]
 
 
-def slice_of(polar: Polar, tws_kn: float) -> Slice:
-    """Cut a polar at a true wind speed [kn]."""
+def slice_of(polar: Polar, tws_kn: float, *, with_sails: bool = True) -> Slice:
+    """Cut a polar at a true wind speed [kn].
+
+    Parameters
+    ----------
+    with_sails
+        Look for each sail's curve and range as well, which takes longer than all the rest.
+    """
     wind = tws_kn * MS_PER_KNOT
     twa = polar.sample_angles(STEP_DEG)
     beat, run = (float(best_angles(polar, np.array([wind]), upwind=up)[0]) for up in (True, False))
-    sails = SailSet(polar.name, polar.sails) if polar.sails else None
+    sails = SailSet(polar.name, polar.sails) if polar.sails and with_sails else None
+    speed, made = polar.speed(wind, twa), hull_speed(polar, wind, twa)[0]
     return Slice(
         tws_kn=tws_kn,
         twa=twa,
-        speed_kn=polar.speed(wind, twa) / MS_PER_KNOT,
-        hull_kn=hull_speed(polar, wind, twa)[0] / MS_PER_KNOT,
+        speed_kn=speed / MS_PER_KNOT,
+        hull_kn=made / MS_PER_KNOT,
         known=polar.covers(wind, twa),
         beat=target_at(polar, tws_kn, beat),
         run=target_at(polar, tws_kn, run),
-        chords=_chords(polar, wind, twa),
+        chords=_chords(polar, wind, twa, direct=speed, made=made),
         sails=_sail_curves(sails, wind, twa) if sails else (),
         ranges=tuple(sails.ranges(wind)) if sails else (),
     )
@@ -138,7 +145,7 @@ def best_angles(polar: Polar, tws: Array, *, upwind: bool) -> Array:
 
 
 def target_at(polar: Polar, tws_kn: float, twa: float) -> Target:
-    """What is sailed at an angle [degrees] in a wind [kn]; the VMG is positive both ways."""
+    """Tell what is sailed at an angle [degrees] in a wind [kn]; the VMG is positive both ways."""
     wind = tws_kn * MS_PER_KNOT
     speed = float(polar.speed(wind, twa))
     ahead = wind * np.cos(np.radians(twa)) + speed
@@ -153,11 +160,9 @@ def target_at(polar: Polar, tws_kn: float, twa: float) -> Target:
     )
 
 
-def _chords(polar: Polar, wind: float, twa: Array) -> tuple[Chord, ...]:
+def _chords(polar: Polar, wind: float, twa: Array, *, direct: Array, made: Array) -> tuple[Chord, ...]:
     """Join the courses that are sailed on the same two headings, where that is worth while."""
     first, share, second, _ = hull_headings(polar, wind, twa)
-    direct = polar.speed(wind, twa)
-    made = hull_speed(polar, wind, twa)[0]
     mixed = (share < 1.0) & (made > 0.0)
     pairs: dict[tuple[float, float], list[int]] = {}
     for k in np.flatnonzero(mixed).tolist():
@@ -243,5 +248,5 @@ class LogPoints:
         return self.rows(np.abs(self.tws_kn - tws_kn) <= NEAR_KN)
 
     def rows(self, which: Mask) -> LogPoints:
-        """Some of the points."""
+        """Give some of the points."""
         return LogPoints(self.tws_kn[which], self.twa[which], self.speed_kn[which], self.source)

@@ -62,13 +62,11 @@ def read_current_isolated(path: Path, *, around: Sequence[Place] = (), job: Job)
 
 
 def _read(what: str, path: Path, around: Sequence[Place], job: Job) -> Wind | Current:
-    if getattr(sys, "frozen", False):
-        # A bundled program has no interpreter to start a child with.
-        return _READERS[what](path, around=around)
     with tempfile.TemporaryDirectory(prefix="seacruise-") as folder:
         answer = Path(folder) / "answer.pickle"
         question = Path(folder) / "question.pickle"
         question.write_bytes(pickle.dumps((what, Path(path), tuple(around))))
+        # In a bundle that is SeaCruise itself, which knows this one module (tools/bundle/start.py).
         command = [sys.executable, "-m", "seacruise.weather.isolated", str(question), str(answer)]
         with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as child:
             try:

@@ -35,6 +35,22 @@ def test_every_reason_has_a_title_of_its_own_and_keeps_its_sentence(
     assert message.title not in others
 
 
+@pytest.mark.parametrize(
+    ("sentence", "title"),
+    [
+        ("Storm Glass has no request left for today; the quota resets at 00:00 UTC.", "requests are spent"),
+        ("Open-Meteo has answered enough; the count starts again at 00:00 UTC.", "requests are spent"),
+        ("Open-Meteo has answered enough; try again in a minute.", "asked too often"),
+        ("Open-Meteo has answered enough; the count starts again at the next full hour.", "asked too often"),
+        ("MET Norway is asked too often; try again in some minutes.", "asked too often"),
+    ],
+)
+def test_a_limit_of_the_minute_is_not_the_days(sentence: str, title: str) -> None:
+    message = message_for(WeatherError(sentence, reason="quota"))
+    assert title in message.title
+    assert (message.way_out is WayOut.RETRY) == ("too often" in title)
+
+
 @pytest.mark.parametrize("reason", ["brand-new", "another"])
 def test_a_reason_nobody_knows_is_still_told(reason: str) -> None:
     message = message_for(NoPassageError("A whale.", reason=reason))

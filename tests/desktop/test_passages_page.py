@@ -11,6 +11,7 @@ from typing import Any
 
 import pytest
 from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QInputDialog
 from pytestqt.qtbot import QtBot
 
@@ -93,7 +94,7 @@ def test_after_a_restart_it_opens_as_it_was(make_page: MakePage, qtbot: QtBot, a
     assert "Computed on" in page.details.text()
     assert "which is no forecast" in page.details.text()
     with qtbot.waitSignal(page.open_requested, timeout=20_000) as caught:
-        qtbot.keyClick(page.table, Qt.Key.Key_Return)
+        QTest.keyClick(page.table, Qt.Key.Key_Return)
     opened = caught.args[0]
     assert isinstance(opened, Opened)
     again = answer_of(opened)
@@ -101,7 +102,7 @@ def test_after_a_restart_it_opens_as_it_was(make_page: MakePage, qtbot: QtBot, a
     assert again.passage.notices == answer.passage.notices
     assert again.question.options == answer.question.options
     assert again.question.via == answer.question.via
-    assert asked_of(again.question) == opened.asked or opened.asked.yacht.name == "Bavaria 46 Cruiser"
+    assert asked_of(again.question) == opened.asked
     values = form_values(opened.asked)
     assert (values["start"], values["end"]) == ("Gdynia", "59.2875, 18.9106")
     assert (values["max_wind_kn"], values["forecast"]) == (30.0, ("sample",))
@@ -111,7 +112,7 @@ def test_renamed_by_key_and_dialog(make_page: MakePage, qtbot: QtBot, answer: An
     page = make_page()
     save(page, qtbot, answer, "a", "b")
     page.table.choose(lambda entry: entry.name == "a")
-    qtbot.keyClick(page.table, Qt.Key.Key_F2)
+    QTest.keyClick(page.table, Qt.Key.Key_F2)
     dialog = page.findChild(QInputDialog)
     assert dialog is not None
     assert dialog.textValue() == "a"
@@ -131,7 +132,7 @@ def test_a_name_that_is_none_is_said(make_page: MakePage, qtbot: QtBot, answer: 
     assert page.fault.isVisible()
     assert "needs a name" in page.fault.label.text()
     assert names(page) == ["a"]
-    qtbot.mouseClick(page.fault.button, Qt.MouseButton.LeftButton)
+    QTest.mouseClick(page.fault.button, Qt.MouseButton.LeftButton)
     assert not page.fault.isVisible()
 
 
@@ -140,12 +141,12 @@ def test_deleted_and_brought_back(make_page: MakePage, qtbot: QtBot, answer: Ans
     save(page, qtbot, answer, "a", "b", "c")
     page.table.choose(lambda entry: entry.name == "b")
     page.table.setFocus()
-    do(page, qtbot, lambda: qtbot.keyClick(page.table, Qt.Key.Key_Delete))
+    do(page, qtbot, lambda: QTest.keyClick(page.table, Qt.Key.Key_Delete))
     assert sorted(names(page)) == ["a", "c"]
     assert page.current is not None
     assert page.undone.isVisible()
     assert page.undone.label.text() == "“b” is deleted."
-    do(page, qtbot, lambda: qtbot.keyClick(page.table, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier))
+    do(page, qtbot, lambda: QTest.keyClick(page.table, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier))
     assert sorted(names(page)) == ["a", "b", "c"]
     assert page.current.name == "b"
     assert not page.undone.isVisible()

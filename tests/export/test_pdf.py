@@ -8,7 +8,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 import pytest
@@ -204,3 +204,12 @@ def test_plan_writes_it(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> N
     assert cli.main([*words, "sample", "--yacht", "Bavaria 46 Cruiser", "--pdf", str(target)]) == 0
     assert target.read_bytes().startswith(b"%PDF-")
     assert f"Wrote {target}" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(("beyond", "name"), [("hold", "Held wind"), ("fade", "Fading wind")])
+def test_the_wind_after_the_forecast_is_named_as_it_was_sailed(
+    passage: Passage, beyond: Literal["hold", "fade"], name: str
+) -> None:
+    late = replace(passage, beyond=beyond, beyond_forecast_h=3.0)
+    texts = written(pages(late, wind=veering_wind())[0])
+    assert {text for text in texts if text.endswith(" wind")} & {"Held wind", "Fading wind"} == {name}

@@ -1,0 +1,1 @@
+"""Pages beside the chart: when to go, and where to go."""

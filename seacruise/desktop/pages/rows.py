@@ -1,0 +1,288 @@
+"""Tables of rows to sort, filter and take one from: what both pages share."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any, Final
+
+from PySide6.QtCore import (
+    QAbstractTableModel,
+    QItemSelectionModel,
+    QModelIndex,
+    QPersistentModelIndex,
+    QSortFilterProxyModel,
+    Qt,
+    Signal,
+)
+from PySide6.QtGui import QFont, QFontMetrics, QResizeEvent
+from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView, QWidget
+
+from seacruise.desktop.style import scaled_font
+
+Index = QModelIndex | QPersistentModelIndex
+
+SORT_ROLE: Final = Qt.ItemDataRole.UserRole
+_PADDING_PX: Final = 12
+_ARROW_ROOM: Final = "   "
+
+
+@dataclass(frozen=True, slots=True)
+class Column:
+    """A column of a table.
+
+    Attributes
+    ----------
+    text, key
+        What a row shows, and what it is sorted by; a key of ``None`` comes last in either direction.
+    sample
+        A text as wide as the column must be.
+    takes_rest
+        Takes the room that is left besides.
+    """
+
+    head: str
+    tip: str
+    text: Callable[[Any], str]
+    key: Callable[[Any], Any]
+    sample: str
+    left: bool = False
+    takes_rest: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Looks:
+    """How rows look besides their cells.
+
+    Attributes
+    ----------
+    note
+        A sentence in place of all cells from ``note_column`` on, or empty.
+    tip
+        Tool tip of a row.
+    bold
+        Whether a row stands out.
+    """
+
+    note: Callable[[Any], str] = lambda _row: ""
+    note_column: int = 0
+    tip: Callable[[Any], str] = lambda _row: ""
+    bold: Callable[[Any], bool] = lambda _row: False
+
+
+class RowsModel(QAbstractTableModel):
+    """Rows of a page; they are replaced one by one or as a whole."""
+
+    def __init__(self, columns: Sequence[Column], looks: Looks, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.columns, self.looks = tuple(columns), looks
+        self.rows: list[Any] = []
+        self.bold_font = QFont() if parent is None else scaled_font(parent.font(), 1.0, bold=True)
+
+    def show_rows(self, rows: Sequence[Any]) -> None:
+        """Show rows; when there are as many as before, those are changed and none is lost from sight."""
+        if len(rows) == len(self.rows) and rows:
+            changed = [number for number, row in enumerate(rows) if row != self.rows[number]]
+            self.rows = list(rows)
+            last = len(self.columns) - 1
+            # Row by row: whatever is said to have changed is sorted in anew.
+            for number in changed:
+                self.dataChanged.emit(self.index(number, 0), self.index(number, last))
+            return
+        self.beginResetModel()
+        self.rows = list(rows)
+        self.endResetModel()
+
+    def rowCount(self, parent: Index | None = None) -> int:
+        """Rows."""
+        return 0 if parent is not None and parent.isValid() else len(self.rows)
+
+    def columnCount(self, parent: Index | None = None) -> int:
+        """Columns."""
+        return 0 if parent is not None and parent.isValid() else len(self.columns)
+
+    def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
+        """Text, sorting key and looks of a cell."""
+        row, column = self.rows[index.row()], self.columns[index.column()]
+        if role == Qt.ItemDataRole.DisplayRole:
+            note = self.looks.note(row)
+            if note and index.column() >= self.looks.note_column:
+                return note if index.column() == self.looks.note_column else ""
+            return column.text(row)
+        if role == SORT_ROLE:
+            return column.key(row)
+        if role == Qt.ItemDataRole.ToolTipRole:
+            return self.looks.tip(row) or None
+        if role == Qt.ItemDataRole.FontRole:
+            return self.bold_font if self.looks.bold(row) else None
+        if role == Qt.ItemDataRole.TextAlignmentRole:
+            left = column.left or bool(self.looks.note(row))
+            return _side(left=left)
+        return None
+
+    def headerData(
+        self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
+    ) -> Any:
+        """Heads of the columns."""
+        if orientation == Qt.Orientation.Vertical:
+            return None
+        column = self.columns[section]
+        if role == Qt.ItemDataRole.DisplayRole:
+            return column.head
+        if role == Qt.ItemDataRole.ToolTipRole:
+            return column.tip
+        if role == Qt.ItemDataRole.TextAlignmentRole:
+            return _side(left=column.left)
+        return None
+
+
+def _side(*, left: bool) -> Qt.AlignmentFlag:
+    side = Qt.AlignmentFlag.AlignLeft if left else Qt.AlignmentFlag.AlignRight
+    return side | Qt.AlignmentFlag.AlignVCenter
+
+
+class SortedRows(QSortFilterProxyModel):
+    """Sorts by the columns' keys and shows what is accepted."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._accepts: Callable[[Any], bool] = lambda _row: True
+        self.setSortRole(SORT_ROLE)
+        self.setDynamicSortFilter(True)
+
+    def show_only(self, accepts: Callable[[Any], bool]) -> None:
+        """Show the rows that are accepted."""
+        self._accepts = accepts
+        self.invalidate()
+
+    def headerData(
+        self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
+    ) -> Any:
+        """Heads of the columns; the one sorted by leaves room for the arrow, which is drawn over its end."""
+        given = super().headerData(section, orientation, role)
+        if role != Qt.ItemDataRole.DisplayRole or section != self.sortColumn() or not isinstance(given, str):
+            return given
+        return f"{given}{_ARROW_ROOM}"
+
+    def row_at(self, index: Index) -> Any:
+        """Row at a place of the table."""
+        model = self.sourceModel()
+        assert isinstance(model, RowsModel)
+        return model.rows[self.mapToSource(index).row()]
+
+    def filterAcceptsRow(self, source_row: int, source_parent: Index) -> bool:
+        """Ask whoever filters."""
+        del source_parent
+        model = self.sourceModel()
+        assert isinstance(model, RowsModel)
+        return self._accepts(model.rows[source_row])
+
+    def lessThan(self, source_left: Index, source_right: Index) -> bool:
+        """Compare keys; rows without one come last in either direction."""
+        left, right = (self.sourceModel().data(index, SORT_ROLE) for index in (source_left, source_right))
+        if left is None or right is None:
+            if left is right:
+                return False
+            return (left is None) == (self.sortOrder() == Qt.SortOrder.DescendingOrder)
+        return bool(left < right)
+
+
+class RowsTable(QTableView):
+    """The table.
+
+    Signals: ``chosen(row or None)`` when the current row is another one, ``taken(row)`` when a row is
+    entered or clicked twice, ``pressed_row(row)`` when one is clicked.
+    """
+
+    chosen = Signal(object)
+    taken = Signal(object)
+    pressed_row = Signal(object)
+
+    def __init__(
+        self, name: str, columns: Sequence[Column], looks: Looks, parent: QWidget | None = None
+    ) -> None:
+        super().__init__(parent)
+        self.rows = RowsModel(columns, looks, self)
+        self.sorted = SortedRows(self)
+        self.sorted.setSourceModel(self.rows)
+        self.setModel(self.sorted)
+        self.setAccessibleName(name)
+        self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+        self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.setAlternatingRowColors(True)
+        self.setShowGrid(False)
+        self.setWordWrap(False)
+        self.setTabKeyNavigation(False)
+        self.verticalHeader().hide()
+        self.verticalHeader().setDefaultSectionSize(self.fontMetrics().height() + 9)
+        self._size_columns()
+        self.setSortingEnabled(True)
+        self.sortByColumn(0, Qt.SortOrder.AscendingOrder)
+        self.selectionModel().currentRowChanged.connect(self._row_changed)
+        self.activated.connect(lambda index: self.taken.emit(self.sorted.row_at(index)))
+        self.clicked.connect(lambda index: self.pressed_row.emit(self.sorted.row_at(index)))
+        for changed in (self.sorted.layoutChanged, self.sorted.modelReset):
+            changed.connect(self._join_cells)
+
+    def _size_columns(self) -> None:
+        head = self.horizontalHeader()
+        head.setHighlightSections(False)
+        head.setSortIndicatorShown(True)
+        head.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
+        for number, column in enumerate(self.rows.columns):
+            self.setColumnWidth(number, self._width_of(column))
+
+    def _width_of(self, column: Column) -> int:
+        bold = QFontMetrics(self.rows.bold_font)
+        head = self.horizontalHeader().fontMetrics().horizontalAdvance(column.head + _ARROW_ROOM) + 4
+        return max(bold.horizontalAdvance(column.sample), head) + _PADDING_PX
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Share the room out anew."""
+        super().resizeEvent(event)
+        self._share_room()
+
+    def _share_room(self) -> None:
+        """Give a column the room that the others leave; Qt's own stretching would squeeze it to nothing."""
+        columns = self.rows.columns
+        taker = next((number for number, column in enumerate(columns) if column.takes_rest), None)
+        if taker is not None:
+            others = sum(self.columnWidth(k) for k in range(len(columns)) if k != taker)
+            self.setColumnWidth(taker, max(self._width_of(columns[taker]), self.viewport().width() - others))
+
+    def show_rows(self, rows: Sequence[Any]) -> None:
+        """Show rows; the current one stays so where it is still there."""
+        self.rows.show_rows(rows)
+        self._join_cells()
+        self._share_room()
+
+    def choose(self, matches: Callable[[Any], bool]) -> None:
+        """Make the first row that matches the current one; none when there is none."""
+        for number in range(self.sorted.rowCount()):
+            index = self.sorted.index(number, 0)
+            if matches(self.sorted.row_at(index)):
+                flags = QItemSelectionModel.SelectionFlag
+                self.selectionModel().setCurrentIndex(index, flags.ClearAndSelect | flags.Rows)
+                self.scrollTo(index)
+                return
+        self.clearSelection()
+        self.selectionModel().clearCurrentIndex()
+
+    @property
+    def current(self) -> Any:
+        """The row that is chosen, or ``None``."""
+        index = self.currentIndex()
+        return self.sorted.row_at(index) if index.isValid() else None
+
+    def _row_changed(self, current: QModelIndex) -> None:
+        self.chosen.emit(self.sorted.row_at(current) if current.isValid() else None)
+
+    def _join_cells(self) -> None:
+        """Give a row's note the room of the cells that it stands for."""
+        self.clearSpans()
+        begin = self.rows.looks.note_column
+        wide = len(self.rows.columns) - begin
+        for number in range(self.sorted.rowCount()):
+            if self.rows.looks.note(self.sorted.row_at(self.sorted.index(number, 0))):
+                self.setSpan(number, begin, 1, wide)

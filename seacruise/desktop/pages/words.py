@@ -1,0 +1,138 @@
+"""Moments and hours as both pages write them, in the sailor's language."""
+
+from __future__ import annotations
+
+from datetime import UTC, datetime, timedelta
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QCoreApplication, QDate, QLocale
+
+from seacruise.desktop.messages import message_for
+from seacruise.desktop.pages.departures_model import Comparison, Outcome, Verdict
+from seacruise.errors import NoPassageError
+from seacruise.export.textform import to_minute
+
+if TYPE_CHECKING:
+    from seacruise.study import Run
+
+
+def tr(text: str) -> str:
+    """Translate a text of this module."""
+    return QCoreApplication.translate("pages", text)
+
+
+def short_moment(moment: datetime) -> str:
+    """Weekday, day and time, UTC: ``Sun 20 06:00``."""
+    utc = to_minute(moment)
+    return f"{QLocale().toString(QDate(utc.year, utc.month, utc.day), 'ddd d')} {utc:%H:%M}"
+
+
+def spoken_moment(moment: datetime, *, since: datetime) -> str:
+    """Day and time as one says it, UTC: the weekday alone within six days, then the date with it."""
+    utc = to_minute(moment)
+    pattern = "dddd" if abs(utc - since.astimezone(UTC)) < timedelta(days=6) else "dddd d MMMM"
+    return f"{QLocale().toString(QDate(utc.year, utc.month, utc.day), pattern)} {utc:%H:%M}"
+
+
+def clock(hours: float) -> str:
+    """Write a duration in a narrow place: ``28 h 10``."""
+    minutes = round(hours * 60)
+    return tr("{h} h {m:02d}").format(h=minutes // 60, m=minutes % 60)
+
+
+def about(hours: float) -> str:
+    """Write a difference as one says it: ``40 min``, ``6 h``, ``6 h 10 min``, ``26 h``."""
+    minutes = round(hours * 60)
+    if minutes < 60:
+        return tr("{m} min").format(m=minutes)
+    if minutes >= 600 or minutes % 60 == 0:
+        return tr("{h} h").format(h=round(minutes / 60))
+    return tr("{h} h {m} min").format(h=minutes // 60, m=minutes % 60)
+
+
+def rounded(hours: float) -> str:
+    """Write a difference where there is little room: ``37 min``, ``1 h 37``, and from two on full hours."""
+    minutes = round(hours * 60)
+    if minutes < 60:
+        return tr("{m} min").format(m=minutes)
+    return clock(hours) if minutes < 120 else tr("{h:.0f} h").format(h=hours)
+
+
+def reason_of(run: Run) -> str:
+    """Why there is no passage, in a few words; empty when there is one."""
+    return "" if run.found else message_for(NoPassageError(run.message, reason=run.reason)).title
+
+
+def verdict_sentences(comparison: Comparison) -> list[str]:
+    """Name the best departure: of the fastest yacht, and of the first one."""
+    yachts = comparison.yachts
+    if len(yachts) == 1:
+        return [_sentence(comparison.verdict(yachts[0]), comparison)]
+    fastest = comparison.fastest()
+    first = comparison.verdict(yachts[0])
+    if fastest is None or fastest.best is None:
+        return [_sentence(first, comparison)]
+    if fastest.yacht == first.yacht:
+        return [tr("{yacht} is fastest.").format(yacht=first.yacht), _sentence(first, comparison)]
+    leaves = spoken_moment(fastest.best.departure, since=comparison.present)
+    said = tr("Fastest is {yacht}, leaving {leaves} UTC: {hours} under way.").format(
+        yacht=fastest.yacht, leaves=leaves, hours=clock(fastest.best.duration_h or 0.0)
+    )
+    return [said, f"{first.yacht}: {_sentence(first, comparison)}"]
+
+
+def _sentence(verdict: Verdict, comparison: Comparison) -> str:
+    best, against = verdict.best, verdict.against
+    if best is None:
+        if verdict.outcome is Outcome.WAITING:
+            return tr("No passage yet.")
+        return tr("None of these departures leads to a passage; each row says why.")
+
+    def say(moment: datetime) -> str:
+        return spoken_moment(moment, since=comparison.present)
+
+    texts = {
+        Outcome.ONLY: tr("{leaves} UTC is the only departure with a passage: {hours} under way."),
+        Outcome.EQUAL: tr("It makes no difference when you leave: {hours} under way."),
+        Outcome.PRESENT: tr(
+            "Leaving as planned, {leaves} UTC, is best: {hours} under way, up to {saves} less than later."
+        ),
+        Outcome.OTHER: tr("Leaving {leaves} UTC saves {saves}: {hours} under way instead of {other}."),
+        Outcome.UNLIKE_PRESENT: tr("Best is leaving {leaves} UTC: {hours} under way."),
+        Outcome.LESS_HELD: tr(
+            "Leaving {leaves} UTC is best: {hours} under way. Others seem shorter, but more than a tenth of "
+            "them is beyond the forecast."
+        ),
+    }
+    return texts[verdict.outcome].format(
+        leaves=say(best.departure),
+        hours=clock(best.duration_h or 0.0),
+        saves=about(verdict.hours),
+        other="" if against is None else clock(against.duration_h or 0.0),
+    )
+
+
+def run_text(run: Run) -> str:
+    """One departure in full, for the line below the curve: its passage, or why there is none."""
+    leaves = short_moment(run.departure)
+    if run.duration_h is None or run.arrival is None:
+        return f"{leaves}: {run.message}"
+    parts = [
+        tr("{leaves} to {arrives} UTC: {hours}, {nm:.0f} nm").format(
+            leaves=leaves,
+            arrives=short_moment(run.arrival),
+            hours=clock(run.duration_h),
+            nm=run.distance_nm or 0.0,
+        )
+    ]
+    if run.beyond_forecast_h:
+        parts.append(tr("{hours} of it beyond the forecast").format(hours=about(run.beyond_forecast_h)))
+    if run.band is not None:
+        spread = run.band.duration_h
+        quantiles = [tr("never") if h is None else clock(h) for h in (spread.low, spread.middle, spread.high)]
+        parts.append(
+            tr("of {n} members 10 - 50 - 90 % need {band}").format(
+                n=len(run.band.members), band=" - ".join(quantiles)
+            )
+        )
+    return "; ".join(parts) + "."
