@@ -45,35 +45,36 @@ class Exporter(QObject):
         self._runner.finished.connect(lambda _, path: self.saved.emit(path))
         self._runner.failed.connect(lambda _, error: self.failed.emit(error))
 
-    def ask_gpx(self, passage: Passage) -> None:
-        """Save the route for a plotter."""
+    def ask(self, form: str, passage: Passage, wind: Wind) -> None:
+        """Save the passage: ``gpx``, ``csv``, ``png``, ``pdf``, ``kml`` or ``geojson``.
+
+        The picture and the passage plan are not the screen, but sheets with title, times and sources to hand
+        around.
+        """
+        types = {
+            "gpx": self.tr("GPX route (*.gpx)"),
+            "csv": self.tr("Table of legs (*.csv)"),
+            "png": self.tr("Picture (*.png)"),
+            "pdf": self.tr("Passage plan (*.pdf)"),
+            "kml": self.tr("KML for Google Earth (*.kml)"),
+            "geojson": self.tr("GeoJSON (*.geojson)"),
+        }
 
         def write(path: Path) -> None:
-            from seacruise.export.gpx import write_gpx
+            from seacruise.export import chart, csvform, geojson, gpx, kml, pdf
 
-            write_gpx(passage, path)
+            if form in {"png", "pdf"}:
+                (chart.write_chart if form == "png" else pdf.write_pdf)(passage, path, wind=wind)
+                return
+            writers = {
+                "gpx": gpx.write_gpx,
+                "csv": csvform.write_csv,
+                "kml": kml.write_kml,
+                "geojson": geojson.write_geojson,
+            }
+            writers[form](passage, path)
 
-        self._ask(_file_name(passage, "gpx"), self.tr("GPX route (*.gpx)"), write)
-
-    def ask_csv(self, passage: Passage) -> None:
-        """Save the legs for a spreadsheet."""
-
-        def write(path: Path) -> None:
-            from seacruise.export.csvform import write_csv
-
-            write_csv(passage, path)
-
-        self._ask(_file_name(passage, "csv"), self.tr("Table of legs (*.csv)"), write)
-
-    def ask_png(self, passage: Passage, wind: Wind) -> None:
-        """Save the chart: not the screen, but a sheet with title, times and sources to hand around."""
-
-        def write(path: Path) -> None:
-            from seacruise.export.chart import write_chart
-
-            write_chart(passage, path, wind=wind)
-
-        self._ask(_file_name(passage, "png"), self.tr("Picture (*.png)"), write)
+        self._ask(_file_name(passage, form), types[form], write)
 
     def write(self, path: Path, write: Callable[[Path], None]) -> None:
         """Write a file on a worker."""

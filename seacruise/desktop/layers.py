@@ -51,6 +51,11 @@ class Layers(QObject):
         """Whether a layer is switched on."""
         return self._menus.layers[name].isChecked()
 
+    @property
+    def light(self) -> str:
+        """Light in which the chart is shown: ``day``, ``dusk`` or ``night``."""
+        return self._light
+
     def apply(self) -> None:
         """Show what is switched on."""
         view = self._view

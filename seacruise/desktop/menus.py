@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 
 from PySide6.QtCore import QObject
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence, QUndoStack
@@ -19,9 +20,8 @@ class Commands:
     save: Command
     saved: Command
     weather: Command
-    save_gpx: Command
-    save_csv: Command
-    save_png: Command
+    yachts: Command
+    export: Callable[[str], object]
     quit: Command
     show_layers: Command
     zoom_in: Command
@@ -60,14 +60,18 @@ class Menus(QObject):
         help_menu = bar.addMenu(self.tr("&Help"))
         save = _action(file_menu, self.tr("Sa&ve this passage"), commands.save, "Ctrl+Shift+S")
         self.exports = [
-            _action(file_menu, self.tr("Save route as &GPX…"), commands.save_gpx, "Ctrl+S"),
-            _action(file_menu, self.tr("Save legs as &CSV…"), commands.save_csv),
-            _action(file_menu, self.tr("Save chart as &PNG…"), commands.save_png),
+            _action(file_menu, self.tr("Save route as &GPX…"), partial(commands.export, "gpx"), "Ctrl+S"),
+            _action(file_menu, self.tr("Save legs as &CSV…"), partial(commands.export, "csv")),
+            _action(file_menu, self.tr("Save chart as &PNG…"), partial(commands.export, "png")),
+            _action(file_menu, self.tr("Save passage plan as P&DF…"), partial(commands.export, "pdf")),
+            _action(file_menu, self.tr("Save as &KML…"), partial(commands.export, "kml")),
+            _action(file_menu, self.tr("Save as Geo&JSON…"), partial(commands.export, "geojson")),
             save,
         ]
         file_menu.addSeparator()
         _action(file_menu, self.tr("Saved &passages…"), commands.saved, "Ctrl+O")
         _action(file_menu, self.tr("&Weather…"), commands.weather, "F3")
+        _action(file_menu, self.tr("&Yachts…"), commands.yachts, "F4")
         file_menu.addSeparator()
         _action(file_menu, self.tr("&Quit"), commands.quit, "Ctrl+Q")
         self._add_undo(edit_menu, undo)

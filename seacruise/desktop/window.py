@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import logging
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from datetime import UTC, datetime
 from functools import partial
 from pathlib import Path
@@ -38,7 +38,6 @@ from seacruise.errors import NoPassageError, SeaCruiseError
 
 if TYPE_CHECKING:
     from seacruise.desktop.state import Horizon
-    from seacruise.passage import Passage
     from seacruise.settings import Settings
 
 log = logging.getLogger(__name__)
@@ -119,9 +118,8 @@ class MainWindow(QMainWindow):
                 save=self.desk.save,
                 saved=self.desk.show_passages,
                 weather=self.desk.show_weather,
-                save_gpx=partial(self._export, self.exporter.ask_gpx),
-                save_csv=partial(self._export, self.exporter.ask_csv),
-                save_png=self._export_png,
+                yachts=self.desk.show_yachts,
+                export=self._export,
                 quit=self.close,
                 show_layers=self._show_layers,
                 zoom_in=view.zoom_in,
@@ -401,13 +399,9 @@ class MainWindow(QMainWindow):
             case WayOut.RETRY:
                 self.calculate()
 
-    def _export(self, ask: Callable[[Passage], None]) -> None:
+    def _export(self, form: str) -> None:
         if self.state.answer is not None:
-            ask(self.state.answer.passage)
-
-    def _export_png(self) -> None:
-        if self.state.answer is not None:
-            self.exporter.ask_png(self.state.answer.passage, self.state.answer.wind)
+            self.exporter.ask(form, self.state.answer.passage, self.state.answer.wind)
 
     def _saved(self, path: Path) -> None:
         self.status.say(self.tr("Saved {path}").format(path=path), 8.0)

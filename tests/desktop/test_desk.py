@@ -154,3 +154,18 @@ def test_neither_page_is_loaded_before_it_is_wanted() -> None:
         cwd=Path(__file__).resolve().parent.parent.parent,
     )
     assert done.returncode == 0, done.stderr
+
+
+def test_a_yacht_taken_on_its_page_is_the_one_of_the_form(window: MainWindow, qtbot: QtBot) -> None:
+    window.desk.show_yachts()
+    page = window.desk.yachts
+    qtbot.waitUntil(lambda: page.polar is not None, timeout=20_000)
+    assert page.polar is not None
+    assert page.polar.name == window.form.wanted_yacht
+    other = "Delphia 47"
+    page.choose(other)
+    qtbot.waitUntil(lambda: page.polar is not None and page.polar.name == other, timeout=20_000)
+    page.yacht_chosen.emit(page.polar)
+    assert window.form.wanted_yacht == other
+    page.percent_changed.emit(85.0)
+    assert window.form.options().percent_of_polar == 85.0

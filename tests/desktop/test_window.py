@@ -299,7 +299,9 @@ def test_layers_are_switched(answered: MainWindow) -> None:
 # --- files and memory ----------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize(("number", "suffix"), [(0, "gpx"), (1, "csv"), (2, "png")])
+@pytest.mark.parametrize(
+    ("number", "suffix"), [(0, "gpx"), (1, "csv"), (2, "png"), (3, "pdf"), (4, "kml"), (5, "geojson")]
+)
 def test_the_passage_is_saved(
     answered: MainWindow,
     qtbot: QtBot,
@@ -317,6 +319,8 @@ def test_the_passage_is_saved(
         assert b"<rtept" in content
     elif suffix == "csv":
         assert content.count(b"\n") >= len(answered.legs.legs._waypoints)
+    elif suffix in {"pdf", "kml", "geojson"}:
+        assert {"pdf": b"%PDF-", "kml": b"<kml", "geojson": b"FeatureCollection"}[suffix] in content
     else:
         # The sheet that the command line draws, with title and sources; not the window's buttons.
         assert QImage(str(target)).text("Software") == "SeaCruise"

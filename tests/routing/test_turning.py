@@ -286,7 +286,7 @@ def test_relaxing_counts_what_turns_cost() -> None:
     sea, field = open_sea(), wind_field(steady_wind(14.0, 0.0))
     speeds = speed_table(sloop(), Handling(tacking=False))
     x = np.array([2.0e6, 2.02e6, 2.0e6, 2.02e6, 2.0e6])
-    y = 7.6e6 + np.arange(5) * 20_000.0
+    y = 7.6e6 + np.arange(5, dtype=np.float64) * 20_000.0
     paid = Waters(sea, field, speeds, pauses=(900.0, 900.0, 0.0))
     free = replace(paid, pauses=(0.0, 0.0, 0.0))
     assert timed(paid, x, y, T0).seconds == pytest.approx(timed(free, x, y, T0).seconds + 3 * 900.0)

@@ -1,4 +1,4 @@
-"""The weather page and the saved passages, each in a window of its own beside the chart."""
+"""The weather, the yachts and the saved passages, each in a window of its own beside the chart."""
 
 from __future__ import annotations
 
@@ -14,19 +14,21 @@ from seacruise.desktop.state import Phase, WindowState
 if TYPE_CHECKING:
     from seacruise.desktop.pages.passages_page import PassagesPage
     from seacruise.desktop.pages.weather_page import WeatherPage
+    from seacruise.desktop.pages.yacht_page import YachtPage
     from seacruise.desktop.window import MainWindow
     from seacruise.passages import Entry, Opened
     from seacruise.settings import Settings
 
 
 class Desk(QObject):
-    """Makes both pages when they are first wanted, and joins them to the main window."""
+    """Makes the pages when they are first wanted, and joins them to the main window."""
 
     def __init__(self, settings: Settings, window: MainWindow) -> None:
         super().__init__(window)
         self._settings, self._window = settings, window
         self._weather: WeatherPage | None = None
         self._passages: PassagesPage | None = None
+        self._yachts: YachtPage | None = None
         window.form.forecast_changed.connect(self._show_choice)
         window.form.ends_changed.connect(self._show_ends)
 
@@ -81,6 +83,31 @@ class Desk(QObject):
             self._weather.show_reached()
         self._weather.load()
 
+    # --- the yachts ---------------------------------------------------------------------------------
+
+    @property
+    def yachts(self) -> YachtPage:
+        """The page of the yachts and their polars."""
+        if self._yachts is None:
+            from seacruise.desktop.pages.yacht_page import YachtPage
+
+            page, form = YachtPage(self._settings), self._window.form
+            self._yachts = page
+            self._in_window(page, self.tr("Yachts"), 900, 720)
+            page.show_light(self._window.layers.light)
+            page.yacht_chosen.connect(lambda polar: form.fill({"yacht": polar.name}))
+            page.percent_changed.connect(form.percent_box.setValue)
+            background = self._window.background
+            page.fleet_changed.connect(lambda: background.load_catalogue(form.wanted_yacht))
+            self._window.layers.light_changed.connect(page.show_light)
+        return self._yachts
+
+    def show_yachts(self) -> None:
+        """Open the page of the yachts at the one that the form names."""
+        self.yachts.load(self._window.form.wanted_yacht)
+        self.yachts.set_percent(self._window.form.options().percent_of_polar)
+        _bring_up(self.yachts)
+
     # --- saved passages -----------------------------------------------------------------------------
 
     @property
@@ -130,8 +157,8 @@ class Desk(QObject):
         dialog.setMinimumSize(440, 320)
 
     def shut_down(self) -> None:
-        """Close both windows and end their workers; what was to be saved is saved."""
-        for page in (self._weather, self._passages):
+        """Close the windows and end their workers; what was to be saved is saved."""
+        for page in (self._weather, self._passages, self._yachts):
             if page is not None:
                 page.window().hide()
                 page.shut_down()
