@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from seacruise.export.polar_lines import Yacht, sources_of
 from seacruise.export.polar_sheet import Theme, canvas, dress, halo, key, room, speed_map
-from seacruise.export.polar_slices import LogPoints, best_angles
+from seacruise.export.polar_slices import LogPoints
 from seacruise.units import MS_PER_KNOT
 from seacruise.yacht.polar import Polar
 from seacruise.yacht.tacks import TwoSided
@@ -134,7 +134,7 @@ def _best_lines(axes: Any, yacht: Yacht, winds: Array, theme: Theme) -> None:
     )
     for side, polar in sides.items():
         for upwind, words in ((True, "best beat"), (False, "best run")):
-            angle = side * best_angles(polar, winds * MS_PER_KNOT, upwind=upwind)
+            angle = side * polar.best_vmg(winds * MS_PER_KNOT, upwind)[0]
             axes.plot(winds, angle, color="white", linewidth=1.6, linestyle=(0, (4, 2)))
             place = len(winds) // 2
             label = axes.annotate(

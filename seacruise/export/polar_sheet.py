@@ -187,5 +187,7 @@ def saved(figure: Figure, form: str) -> bytes:
     if form not in metadata:
         raise InputError(f"There is no picture format {form!r}; choose one of {', '.join(FORMS)}.")
     picture = io.BytesIO()
-    figure.savefig(picture, format=form, facecolor=figure.get_facecolor(), metadata=metadata[form])
+    # Faces that a surface leaves out have whatever stood in memory for corners, and are turned all the same.
+    with np.errstate(over="ignore", invalid="ignore"):
+        figure.savefig(picture, format=form, facecolor=figure.get_facecolor(), metadata=metadata[form])
     return picture.getvalue()

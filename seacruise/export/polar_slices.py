@@ -28,8 +28,6 @@ NEAR_KN: Final = 1.0
 LEAST_GAIN: Final = 0.002
 """A dent of the polar in which two headings gain less than this share of the speed is not told."""
 
-_LEVEL: Final = 1e-4
-
 _LEAST_KN: Final = 2.0
 _MOST_SLICES: Final = 7
 
@@ -108,7 +106,7 @@ def slice_of(polar: Polar, tws_kn: float, *, with_sails: bool = True) -> Slice:
     """
     wind = tws_kn * MS_PER_KNOT
     twa = polar.sample_angles(STEP_DEG)
-    beat, run = (float(best_angles(polar, np.array([wind]), upwind=up)[0]) for up in (True, False))
+    beat, run = (float(polar.best_vmg(np.array([wind]), up)[0][0]) for up in (True, False))
     sails = SailSet(polar.name, polar.sails) if polar.sails and with_sails else None
     speed, made = polar.speed(wind, twa), hull_speed(polar, wind, twa)[0]
     return Slice(
@@ -123,25 +121,6 @@ def slice_of(polar: Polar, tws_kn: float, *, with_sails: bool = True) -> Slice:
         sails=_sail_curves(sails, wind, twa) if sails else (),
         ranges=tuple(sails.ranges(wind)) if sails else (),
     )
-
-
-def best_angles(polar: Polar, tws: Array, *, upwind: bool) -> Array:
-    """Angles of the best VMG [degrees] in winds ``(w,)`` [m/s].
-
-    Beyond the greatest angle of a table VMG is level by rule, to a few parts of 100,000: rounding would
-    decide between the last figure and dead before the wind. The angle nearest to abeam is told.
-    """
-    angle, vmg = polar.best_vmg(tws, upwind)
-    beyond = ~polar.covers(tws, angle)
-    if upwind or not beyond.any():
-        return angle
-    angles = polar.sample_angles(STEP_DEG / 2.0)
-    angles = angles[angles >= 90.0]
-    made = polar.speed(tws[beyond, np.newaxis], angles) * np.abs(np.cos(np.radians(angles)))
-    level = made >= (1.0 - _LEVEL) * vmg[beyond, np.newaxis]
-    settled = angle.copy()
-    settled[beyond] = angles[level.argmax(axis=1)]
-    return settled
 
 
 def target_at(polar: Polar, tws_kn: float, twa: float) -> Target:

@@ -19,7 +19,7 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from seacruise.errors import NoPassageError, WeatherError
+from seacruise.errors import WeatherError
 from seacruise.progress import Job
 from seacruise.settings import Settings
 from seacruise.weather.grids import Box
@@ -38,7 +38,7 @@ from seacruise.weather.series import (
 )
 from seacruise.weather.sessions import Sessions
 from seacruise.weather.shelf import Kept, Shelf
-from seacruise.weather.wind import MAX_SPEED, Forecast, Wind, describe_grid, from_direction
+from seacruise.weather.wind import MAX_SPEED, Forecast, Wind, describe_grid, from_direction, require_departure
 
 SERVICE: Final = "MET Norway"
 TERMS: Final = "Weather data by MET Norway (CC BY 4.0)."
@@ -246,13 +246,7 @@ class MetNo:
             ``outside-forecast`` when the departure is beyond the forecast.
         CancelledError
         """
-        begin, end = horizon_of(now)
-        if departure is not None and not begin <= departure <= end:
-            raise NoPassageError(
-                f"{SERVICE} forecasts from {begin:%d %b %Y %H:%M} to {end:%d %b %Y %H:%M} UTC; choose a "
-                "departure between them, or another forecast.",
-                reason="outside-forecast",
-            )
+        require_departure(SERVICE, horizon_of(now), departure)
         plan = plan_points(box, most=self.config.max_points, is_water=is_water)
         kept = self._shelf.recall(_KEPT_AS, [_asked(place) for place in plan.places])
         errors = self._fetch(plan, kept, now, job)

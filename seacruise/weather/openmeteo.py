@@ -16,7 +16,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from seacruise.errors import NoPassageError, WeatherError
+from seacruise.errors import WeatherError
 from seacruise.progress import Job
 from seacruise.settings import Settings
 from seacruise.weather.grids import Box
@@ -37,7 +37,7 @@ from seacruise.weather.series import (
 )
 from seacruise.weather.sessions import Sessions
 from seacruise.weather.shelf import Kept, Shelf
-from seacruise.weather.wind import Current, Forecast, Wind, describe_grid
+from seacruise.weather.wind import Current, Forecast, Wind, describe_grid, require_departure
 
 Array = NDArray[np.float64]
 Grid = NDArray[np.float32]
@@ -162,7 +162,7 @@ class OpenMeteo:
             ``outside-forecast`` when the departure is beyond the forecast.
         CancelledError
         """
-        _require_departure(departure, now)
+        require_departure(SERVICE, horizon_of(now), departure)
         plan = plan_points(box, most=self.config.max_points)
         wind = self._gather(FORECAST, plan, now)
         sea = self._gather(MARINE, _at_sea(plan, is_water), now)
@@ -191,7 +191,7 @@ class OpenMeteo:
 
         The parameters and errors are those of `wind`.
         """
-        _require_departure(departure, now)
+        require_departure(SERVICE, horizon_of(now), departure)
         plan = plan_points(box, most=self.config.max_ensemble_points)
         gathered = self._gather(ENSEMBLE, plan, now)
         self._fetch([gathered], now, job)
@@ -363,16 +363,6 @@ class OpenMeteo:
 def _service(endpoint: Endpoint) -> str:
     """Name under which an endpoint's answers are kept."""
     return " ".join(filter(None, ["open-meteo", endpoint.name, endpoint.params.get("models")]))
-
-
-def _require_departure(departure: datetime | None, now: datetime) -> None:
-    begin, end = horizon_of(now)
-    if departure is not None and not begin <= departure <= end:
-        raise NoPassageError(
-            f"{SERVICE} forecasts from {begin:%d %b %Y} to {end:%d %b %Y}; choose a departure between them, "
-            "or another forecast.",
-            reason="outside-forecast",
-        )
 
 
 def _at_sea(plan: PointPlan, is_water: IsWater | None) -> PointPlan:

@@ -17,7 +17,7 @@ from typing import Final
 
 import numpy as np
 
-from seacruise.errors import InputError, NoPassageError, WeatherError
+from seacruise.errors import InputError, WeatherError
 from seacruise.progress import Job
 from seacruise.settings import Settings
 from seacruise.weather.answers import Meta
@@ -32,7 +32,7 @@ from seacruise.weather.points import IsWater
 from seacruise.weather.pool import Gate, Outcome, gate_to, run_all
 from seacruise.weather.splice import describe_splices
 from seacruise.weather.stormglass_client import SERVICE, Client, check_key, quota_error
-from seacruise.weather.wind import Forecast, Wind, describe_grid
+from seacruise.weather.wind import Forecast, Wind, describe_grid, require_departure
 
 HORIZON: Final = timedelta(days=10)
 """How far ahead is asked: the service's own default. How far an answer reaches, it says itself."""
@@ -182,13 +182,7 @@ class StormGlass:
             ``outside-forecast`` when the departure is beyond the forecast.
         CancelledError
         """
-        begin, end = horizon_of(now)
-        if departure is not None and not begin <= departure <= end:
-            raise NoPassageError(
-                f"Storm Glass forecasts from {begin:%d %b %Y} to {end:%d %b %Y}; choose a departure between "
-                "them, or another forecast.",
-                reason="outside-forecast",
-            )
+        require_departure(SERVICE, horizon_of(now), departure)
         needed = (departure or now).timestamp()
         quota = self.quota(now)
         aim = max(self.config.places(quota), 1 if ends is None else 2)

@@ -287,6 +287,23 @@ def require_cover(source: str, grid: tuple[Array, Array], places: Iterable[tuple
             )
 
 
+def require_departure(service: str, covered: tuple[datetime, datetime], departure: datetime | None) -> None:
+    """Check that a service forecasts a departure, before anything is asked of it.
+
+    Raises
+    ------
+    NoPassageError
+        ``outside-forecast``, naming what is covered.
+    """
+    begin, end = covered
+    if departure is not None and not begin <= departure <= end:
+        raise NoPassageError(
+            f"{service} forecasts from {begin:%d %b %Y %H:%M} to {end:%d %b %Y %H:%M} UTC; choose a "
+            "departure between them, or another forecast.",
+            reason="outside-forecast",
+        )
+
+
 def from_direction(speed: ArrayLike, direction_from_deg: ArrayLike) -> tuple[Array, Array]:
     """Components ``u, v`` of a wind of a speed coming FROM a direction [degrees true]; unit of the speed."""
     angle = np.radians(np.asarray(direction_from_deg, dtype=np.float64))

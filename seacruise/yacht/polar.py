@@ -15,6 +15,7 @@ from seacruise.yacht._curves import Curves, build_curves, evaluate
 Array = NDArray[np.float64]
 ArrayLike = Any
 
+_LEVEL = 1e-4
 _VMG_STEP = 0.25
 """Step of the search for the best VMG [degrees]; the kinks of a polar are searched besides."""
 
@@ -154,6 +155,9 @@ class Polar:
     def best_vmg(self, tws: ArrayLike, upwind: bool) -> tuple[Array, Array]:
         """Angle [degrees] and speed [m/s] of the best velocity made good against or with the wind.
 
+        Beyond the greatest angle of a table VMG is level by rule, to a few parts of 100,000: rounding would
+        decide between the last figure and dead before the wind. There the angle nearest to abeam is told.
+
         Parameters
         ----------
         tws
@@ -170,8 +174,12 @@ class Polar:
         angles = self.sample_angles(_VMG_STEP)
         angles = angles[angles <= 90.0] if upwind else angles[angles >= 90.0]
         vmg = self.speed(wind[..., np.newaxis], angles) * np.abs(np.cos(np.radians(angles)))
-        best = np.argmax(np.nan_to_num(vmg, nan=-1.0), axis=-1)
-        return angles[best], np.take_along_axis(vmg, best[..., np.newaxis], axis=-1)[..., 0]
+        vmg = np.nan_to_num(vmg, nan=-1.0)
+        best = np.argmax(vmg, axis=-1)
+        if not upwind:
+            level = np.argmax(vmg >= (1.0 - _LEVEL) * vmg.max(axis=-1, keepdims=True), axis=-1)
+            best = np.where(self.covers(wind, angles[best]), best, level)
+        return angles[best], vmg.max(axis=-1)
 
     def sample_angles(self, step: float) -> Array:
         """Angles 0-180 [degrees], no further apart than ``step``, with every kink of the polar among them."""

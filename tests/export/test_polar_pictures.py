@@ -22,7 +22,7 @@ from seacruise.export.polar_pictures import (
     write_polar_picture,
 )
 from seacruise.export.polar_sheet import DARK, FORMS, LIGHT
-from seacruise.export.polar_slices import LogPoints, best_angles, slice_of, target_at, usual_winds
+from seacruise.export.polar_slices import LogPoints, slice_of, target_at, usual_winds
 from seacruise.units import MS_PER_KNOT as KN
 from seacruise.yacht.polar import Polar
 from seacruise.yacht.sails import SailSet
@@ -102,8 +102,7 @@ def test_a_mixture_of_two_sails_is_a_chord() -> None:
 def test_a_run_is_told_at_the_last_figure_where_vmg_is_level_beyond_it() -> None:
     polar = polar_kn((8, 16), (45, 90, 150), ((4, 5), (6, 7), (5.0, 6.5)))
     wind = np.array([8.0, 11.0, 16.0]) * KN
-    assert best_angles(polar, wind, upwind=False) == pytest.approx([150.0] * 3, abs=0.5)
-    assert best_angles(polar, wind, upwind=True) == pytest.approx(polar.best_vmg(wind, True)[0])
+    assert polar.best_vmg(wind, False)[0] == pytest.approx([150.0] * 3, abs=0.5)
 
 
 def test_a_target_is_that_of_the_yacht_room() -> None:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 
 from seacruise.errors import InputError
-from seacruise.export.polar_slices import LogPoints, best_angles, target_at
+from seacruise.export.polar_slices import LogPoints, target_at
 from seacruise.text import fold, folds, rank_names
 from seacruise.units import MS_PER_KNOT
 from seacruise.yacht.polar import Polar
@@ -85,7 +85,7 @@ def look_at(yacht: Yacht, job: Job | None = None, *, tws_kn: Sequence[float] = (
 
 def _targets(polar: Polar, tws_kn: float) -> Targets:
     wind = np.array([tws_kn * MS_PER_KNOT])
-    beat, run = (float(best_angles(polar, wind, upwind=up)[0]) for up in (True, False))
+    beat, run = (float(polar.best_vmg(wind, up)[0][0]) for up in (True, False))
     return Targets(tws_kn, target_at(polar, tws_kn, beat), target_at(polar, tws_kn, run))
 
 
