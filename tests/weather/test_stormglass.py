@@ -451,7 +451,7 @@ def test_half_of_the_places_are_enough(keyed: Settings) -> None:
 def test_a_day_without_a_forecast_costs_no_request(keyed: Settings) -> None:
     with FaultServer() as server:
         for departure in (TODAY - timedelta(hours=1), TODAY + timedelta(days=11)):
-            with pytest.raises(NoPassageError, match="21 Nov 2026 to 01 Dec 2026") as caught:
+            with pytest.raises(NoPassageError, match="21 Nov 2026 00:00 to 01 Dec 2026 00:00 UTC") as caught:
                 ask(keyed, server, departure=departure)
             assert caught.value.reason == "outside-forecast"
     assert server.requests == []

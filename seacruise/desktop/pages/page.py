@@ -130,6 +130,8 @@ class Page(QFrame):
         self._layout.addLayout(self._banners)
         self._layout.addWidget(self.invitation, 1)
         self._layout.addWidget(self.body, 10)
+        # Where neither is shown the room below a banner stays empty.
+        self._layout.addStretch(0)
 
     def add_controls(self, *widgets: QWidget) -> None:
         """Put controls in a line, the page's buttons after them."""
