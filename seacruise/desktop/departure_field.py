@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from datetime import UTC, date, datetime, time
+from datetime import UTC, date, datetime, time, timedelta
 
 from PySide6.QtCore import QDate, QLocale, QPoint, QSize, Qt, QTime, Signal
 from PySide6.QtWidgets import (
@@ -80,7 +80,9 @@ class DepartureField(QWidget):
         self.setFocusProxy(self.date_edit)
         self.date_edit.dateChanged.connect(self._picked)
         self.time_edit.timeChanged.connect(self._picked)
-        self._show_range()
+        # Until the forecast is known: the next full hour, not the day that Qt begins with.
+        soon = datetime.now(UTC).replace(minute=0, second=0, microsecond=0) + timedelta(hours=1)
+        self.set_moment(soon, chosen=False)
 
     def _make_calendar(self) -> None:
         self.popup = QFrame(self, Qt.WindowType.Popup)
