@@ -29,7 +29,8 @@ MAX_BYTES: Final = 32_000_000
 """Size of all answers together; beyond it the oldest go: some 2,500 of ten days."""
 
 OVERTAKING: Final = 5
-"""Answers that may overtake one another; a count that is lower by more is of the service's new day."""
+"""Answers that may overtake one another at least; a count that is lower by more is of the service's new
+day."""
 
 _STEPS: Final = (
     """CREATE TABLE weather_answer (
@@ -232,6 +233,7 @@ class WeatherCache:
         daily: int | None = None,
         cost: int = 1,
         spent: bool = False,
+        overtaking: int = OVERTAKING,
     ) -> None:
         """Write a request into the ledger, with the service's own count when its answer carried one.
 
@@ -246,6 +248,8 @@ class WeatherCache:
             Requests that the answer counts for, where the service does not tell their number.
         spent
             The service refused because nothing is left.
+        overtaking
+            Answers that may have overtaken this one: the requests sent since the plan began.
         """
         with self._store.writing() as db:
             row = db.execute(
@@ -262,7 +266,7 @@ class WeatherCache:
             elif used is None:
                 count = before + cost
             else:
-                count = used if used < before - OVERTAKING else max(before, used)
+                count = used if used < before - max(overtaking, OVERTAKING) else max(before, used)
             db.execute(
                 "INSERT OR REPLACE INTO weather_quota VALUES (?, ?, ?, ?)",
                 (_hash(key), _day(now), count, allowed),

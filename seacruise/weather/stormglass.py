@@ -310,13 +310,14 @@ class _Rounds:
         self._now, self._total = now, total
         self._key = check_key(settings)
         self._begin = time.monotonic()
-        self._done = 0
+        self._done = self._sent = 0
         self.client = Client(settings, config.limits, self._count)
 
     def ask(self, wanted: Sequence[int], gate: Gate) -> None:
         """Ask for places and note what comes."""
         hunt, config = self._hunt, self._config
         hunt.left -= len(wanted)
+        self._sent += len(wanted)
         begin, end = horizon_of(self._now)
         window = begin.timestamp(), end.timestamp()
         places = [(float(lat), float(lon)) for lat, lon in hunt.ground.places[list(wanted)]]
@@ -353,7 +354,7 @@ class _Rounds:
         # a plan may last beyond midnight
         now = self._now + timedelta(seconds=time.monotonic() - self._begin)
         counts = {"used": meta.used, "daily": meta.daily, "cost": meta.cost, "spent": meta.spent}
-        self._memory.note_request(self._key, now, **counts)
+        self._memory.note_request(self._key, now, **counts, overtaking=self._sent)
 
 
 def _announce(most: int, total: int, at_once: int, quota: Quota) -> str:

@@ -108,6 +108,15 @@ def test_the_ledger_keeps_the_highest_count_of_a_day(cache: WeatherCache) -> Non
     assert cache.quota("other", NOW).left == 10
 
 
+def test_an_answer_that_many_overtook_is_no_new_day(cache: WeatherCache) -> None:
+    for used in (4, 9, 8, 1):
+        cache.note_request("key", NOW, used=used, daily=10, overtaking=9)
+    assert cache.quota("key", NOW).left == 1
+    # but the service counts from the beginning again when no nine requests were on their way
+    cache.note_request("key", NOW, used=1, daily=10, overtaking=2)
+    assert cache.quota("key", NOW).left == 9
+
+
 def test_the_key_is_nowhere_in_the_file(tmp_path: Path) -> None:
     path = tmp_path / "seacruise.sqlite"
     WeatherCache(Store(path)).note_request("my-secret-key", NOW, used=1, daily=10)
