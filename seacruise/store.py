@@ -8,6 +8,8 @@ process killed in the middle of a write leaves it whole.
 from __future__ import annotations
 
 import sqlite3
+import threading
+import time
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
@@ -17,6 +19,11 @@ from seacruise.errors import InputError
 
 BUSY_TIMEOUT_S: Final = 5.0
 """How long a writer waits for another program that is writing [s]."""
+
+_OPENING_AGAIN_S: Final = 0.01
+
+_turns: dict[Path, threading.RLock] = {}
+_turns_lock = threading.Lock()
 
 
 class StoreError(InputError):
@@ -39,6 +46,10 @@ class Store:
 
     def __init__(self, path: Path) -> None:
         self.path = path
+        with _turns_lock:
+            # The threads of this program take turns by themselves: SQLite's own waiting is not fair, and it
+            # does not wait at all where one connection opens the file while the last other one closes it.
+            self._turn = _turns.setdefault(path, threading.RLock())
 
     @contextmanager
     def reading(self) -> Iterator[sqlite3.Connection]:
@@ -56,7 +67,8 @@ class Store:
             raise self._failure(error) from None
         finally:
             if connection is not None:
-                connection.close()
+                with self._turn:
+                    connection.close()
 
     @contextmanager
     def writing(self) -> Iterator[sqlite3.Connection]:
@@ -66,7 +78,7 @@ class Store:
         ------
         StoreError
         """
-        with self.reading() as connection:
+        with self._turn, self.reading() as connection:
             # taken at once: a reader that turns writer later would fail without waiting for its turn
             connection.execute("BEGIN IMMEDIATE")
             try:
@@ -116,6 +128,17 @@ class Store:
             raise StoreError(
                 f"The folder {self.path.parent} cannot be made ({error.strerror}); set SEACRUISE_HOME."
             ) from None
+        until = time.monotonic() + BUSY_TIMEOUT_S
+        while True:
+            try:
+                with self._turn:
+                    return self._open()
+            except sqlite3.OperationalError as error:
+                if not _is_busy(error) or time.monotonic() > until:
+                    raise
+            time.sleep(_OPENING_AGAIN_S)
+
+    def _open(self) -> sqlite3.Connection:
         connection = sqlite3.connect(self.path, timeout=BUSY_TIMEOUT_S, isolation_level=None)
         try:
             connection.execute("PRAGMA journal_mode = WAL")
@@ -128,7 +151,7 @@ class Store:
 
     def _failure(self, error: sqlite3.Error) -> StoreError:
         text = str(error)
-        if "locked" in text or "busy" in text:
+        if _is_busy(error):
             what = "is in use by another program; close that and try again"
         elif "full" in text:
             what = "cannot be written: the disk is full"
@@ -139,3 +162,8 @@ class Store:
         else:
             what = f"cannot be used ({text})"
         return StoreError(f"The file {self.path} {what}.")
+
+
+def _is_busy(error: sqlite3.Error) -> bool:
+    text = str(error)
+    return "locked" in text or "busy" in text

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import os
+import sqlite3
 import subprocess
 import sys
 import threading
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
@@ -163,3 +165,32 @@ def test_kill_in_the_middle_of_a_write_leaves_the_file_whole(store: Store) -> No
 def test_a_wrong_statement_is_no_traceback(store: Store) -> None:
     with pytest.raises(StoreError, match="cannot be used"), store.reading() as db:
         db.execute("SELECT * FROM nowhere")
+
+
+def test_threads_that_open_and_close_the_file_all_write(tmp_path: Path) -> None:
+    path = tmp_path / "seacruise.sqlite"
+
+    def write(number: int) -> None:
+        store = Store(path)
+        store.migrate("notes", STEPS)
+        with store.writing() as db:
+            db.execute("INSERT INTO note VALUES (?)", (f"{number:03d}",))
+
+    with ThreadPoolExecutor(100) as pool:
+        list(pool.map(write, range(100)))
+    assert notes(Store(path)) == [f"{number:03d}" for number in range(100)]
+
+
+def test_a_file_that_another_program_is_just_closing_is_opened_again(
+    store: Store, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    opened, refusals = Store._open, [sqlite3.OperationalError("database is locked")] * 3
+
+    def closing(self: Store) -> sqlite3.Connection:
+        if refusals:
+            raise refusals.pop()
+        return opened(self)
+
+    monkeypatch.setattr(Store, "_open", closing)
+    assert notes(store) == []
+    assert not refusals
