@@ -72,6 +72,9 @@ DEARER_S = (300.0, 1200.0, 4800.0)
 BOARDS_COST = 0.003
 """Where boards cost more than this share of the time they are searched, not only laid out."""
 
+ENGINE_LOST = 0.001
+"""Where a passage with an engine takes longer than promised by more than this share, another one is tried."""
+
 CHEAP_TURN_S = 15.0
 """What a tack or gybe costs then, so that there are no more of them than they are worth [s]."""
 
@@ -201,10 +204,14 @@ def _with_few_turns(
         return _find_within_limits(dearer, options, job, ledger, sailed_as=asked)
 
     best = _find_within_limits(asked, options, job, ledger)
-    if options.preset == "classic" or not options.tacking:
+    if options.preset == "classic":
+        return best
+    if asked.how.handling.motor_below is not None and _lost(asked, best) > ENGINE_LOST:
+        best = _or_as_if_without_engine(best, asked, options, job, ledger)
+    if not options.tacking:
         return best
     found, _, sailed = best
-    lost = (float(sailed.time[-1]) - asked.departure) / found.line.seconds - 1.0
+    lost = _lost(asked, best)
     free = options.refine and options.board_h is None and not found.boards_found
     if free and sailed.turns and lost > BOARDS_COST:
         best = min(best, as_if_dearer(CHEAP_TURN_S), key=lambda one: float(one[2].time[-1]))
@@ -214,6 +221,29 @@ def _with_few_turns(
             break
         best = min(best, as_if_dearer(extra), key=lambda one: one[2].turns)
     return best
+
+
+def _lost(asked: Question, best: tuple[Fastest, Course, Resailed]) -> float:
+    """Share by which a passage takes longer than the line it was made of promised."""
+    found, _, sailed = best
+    return (float(sailed.time[-1]) - asked.departure) / found.line.seconds - 1.0
+
+
+def _or_as_if_without_engine(
+    best: tuple[Fastest, Course, Resailed], asked: Question, options: Options, job: Job, ledger: Ledger
+) -> tuple[Fastest, Course, Resailed]:
+    """Search as if there were no engine as well, and give what is faster with it.
+
+    Where the engine starts her speed jumps. A search may choose a course that is just slow enough for the
+    engine, and a hair beside it she sails slower than she would have on any other.
+    """
+    handling = replace(asked.how.handling, motor_below=None, motor_speed=0.0)
+    without = replace(asked, how=replace(asked.how, handling=handling))
+    try:
+        other = _find_within_limits(without, options, job, ledger, sailed_as=asked)
+    except NoPassageError:
+        return best
+    return min(best, other, key=lambda one: float(one[2].time[-1]))
 
 
 def first_look(asked: Question) -> Question:

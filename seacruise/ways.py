@@ -48,7 +48,7 @@ def ways_out(explored: Explored, ports: Sequence[Position]) -> dict[int, list[Po
 
 def cut_off(explored: Explored, ports: Sequence[Position]) -> list[int]:
     """Ports to which the lattice leads in no wind at all: it is too coarse for their approach."""
-    from seacruise.routing import _kernels as k
+    from seacruise.routing import _rows as k
 
     grid = explored.lattice
     open_to = k.reachable(grid.first, grid.target, grid.start)

@@ -15,6 +15,7 @@ from seacruise.passage import Passage
 from seacruise.settings import Settings
 from tests.network import NETWORK
 from tests.passages import hand_made_passage
+from tests.routing.worlds import cache_dir_of
 
 # Before anything imports Qt: windows of tests are drawn in memory.
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
@@ -50,7 +51,14 @@ def no_network() -> Iterator[None]:
 def own_home(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     """Keep tests off the real user's files, keys and quota."""
     monkeypatch.setenv("SEACRUISE_HOME", str(tmp_path / "home"))
-    for name in ("STORMGLASS_API_KEY", "http_proxy", "https_proxy", "HTTP_PROXY", "HTTPS_PROXY"):
+    for name in (
+        "STORMGLASS_API_KEY",
+        "SEACRUISE_CONTACT",
+        "http_proxy",
+        "https_proxy",
+        "HTTP_PROXY",
+        "HTTPS_PROXY",
+    ):
         monkeypatch.delenv(name, raising=False)
     for name in ("SEACRUISE_STORMGLASS_URL", "SEACRUISE_OPENMETEO_URL", "SEACRUISE_METNO_URL"):
         # Port 9 is "discard"; nothing listens there, so an unexpected request is refused at once.
@@ -61,6 +69,13 @@ def own_home(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
 def settings(own_home: None) -> Settings:
     """Folders under the test's own temporary folder and servers that refuse."""
     return Settings.from_environment()
+
+
+@pytest.fixture(scope="session")
+def sea_settings(tmp_path_factory: pytest.TempPathFactory) -> Settings:
+    """Folders of which the sea is kept, and all else is as new."""
+    base = tmp_path_factory.getbasetemp()
+    return Settings(cache_dir=cache_dir_of(base), data_dir=base / "data")
 
 
 @pytest.fixture(scope="session")

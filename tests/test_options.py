@@ -30,7 +30,7 @@ from seacruise.weather.sample import sample_wind
 from seacruise.weather.wind import Wind, from_direction
 from seacruise.yacht.fleet import find_yacht, load_fleet
 from seacruise.yacht.polar import Polar
-from tests.routing.worlds import DEPARTURE, HOUR, T0, cache_dir_of, forecast, steady_wind
+from tests.routing.worlds import DEPARTURE, HOUR, T0, forecast, steady_wind
 
 Array = NDArray[np.float64]
 Plan = Callable[..., Passage]
@@ -81,12 +81,6 @@ def dangerous(
         forecast(begin, last),
         **more,  # type: ignore[arg-type]
     )
-
-
-@pytest.fixture(scope="session")
-def sea_settings(tmp_path_factory: pytest.TempPathFactory) -> Settings:
-    base = tmp_path_factory.getbasetemp()
-    return Settings(cache_dir=cache_dir_of(base), data_dir=base / "data")
 
 
 @pytest.fixture(scope="session")

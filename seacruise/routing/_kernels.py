@@ -15,6 +15,12 @@ Everything here works on plain arrays. Names used throughout:
 ``speeds``
     ``(table, per_tws)``: ``(w, c)`` float32 boat speed [m/s]; rows by TWS in steps of ``1 / per_tws``,
     columns by the cosine of the TWA from -1 to 1; negative where the limits forbid to sail.
+``points``
+    ``(n, 4)`` of each vertex x, y, lat, scale, see `seacruise.routing.lattice.Lattice`: side by side, because
+    an edge needs all four of a vertex that is not in the processor's cache. Longitude is x by another name.
+``slow``
+    Seconds a metre takes at the very least: an edge that even so leads to a vertex no earlier than another
+    one did is not sailed at all, which spares two of five.
 """
 
 from __future__ import annotations
@@ -22,13 +28,16 @@ from __future__ import annotations
 import numpy as np
 
 from seacruise.compiled import chosen, inlined, kernel
+from seacruise.geodesy import EARTH_RADIUS
+from seacruise.routing._heap import sift_down, sift_up
+from seacruise.sea._kernels import free_line
 from seacruise.sea._prisms import closed
-
-LEAST_SHARE = 0.4
-"""`seacruise.yacht.knobs.LEAST_SHARE`, which a test holds equal."""
+from seacruise.yacht.knobs import LEAST_SHARE
 
 STILL = 1e-6
 """Slower than this [m/s] is not moving."""
+
+DEGREES_PER_METRE = 180.0 / (np.pi * EARTH_RADIUS)
 
 
 @inlined
@@ -192,22 +201,31 @@ def wind_at(t, lat, lon, wind):
 
 
 @inlined
-def sail_line(t, lat0, lon0, lat1, lon1, length, east, north, piece, wind, speeds):
+def slice_at(t, wind):
+    """Slice of time that begins at ``t`` or in which it lies."""
+    slices, t0, step = wind[0].shape[0], wind[2], wind[3]
+    k = min(max(int((t - t0) / step), 0), slices - 1)
+    while k < slices - 1 and t0 + (k + 1) * step <= t:
+        k += 1
+    return k
+
+
+@inlined
+def sail_line(t, k, lat0, lon0, lat1, lon1, length, east, north, piece, wind, speeds):
     """Arrival [s] at the end of a straight leg of ``length`` metres left at time ``t``; inf if never.
 
     The leg is cut into pieces; the wind of each is that of its middle, and it changes with every slice
     of time that the piece takes. Speed then depends on time alone, so sailing a piece is solved exactly,
-    and who leaves later can never arrive earlier (FIFO), through calms and squalls alike.
+    and who leaves later can never arrive earlier (FIFO), through calms and squalls alike. ``k`` is the slice
+    of ``t``, see `slice_at`: all edges of a vertex share it.
     """
     slices, t0, step = wind[0].shape[0], wind[2], wind[3]
     pieces = int(length / piece) + 1
-    k = min(max(int((t - t0) / step), 0), slices - 1)
-    while k < slices - 1 and t0 + (k + 1) * step <= t:
-        k += 1
+    share = 1.0 / pieces
     for p in range(pieces):
-        f = (p + 0.5) / pieces
+        f = (p + 0.5) * share
         cell = cell_at(lat0 + (lat1 - lat0) * f, lon0 + (lon1 - lon0) * f, wind)
-        rest = length / pieces
+        rest = length * share
         while True:
             speed = speed_in(k, cell, east, north, wind, speeds)
             if speed < 0.0:
@@ -228,66 +246,54 @@ def sail_line(t, lat0, lon0, lat1, lon1, length, east, north, piece, wind, speed
 
 
 @inlined
-def sail_edge(t, a, b, points, piece, wind, speeds):
-    """`sail_line` from vertex a to b of ``points`` = (x, y, lat, lon, scale), each ``(n,)``."""
-    x, y, lat, lon, scale = points
-    dx, dy = x[b] - x[a], y[b] - y[a]
+def sail_edge(t, k, a, b, points, piece, wind, speeds):
+    """`sail_line` from vertex a to vertex b, left at time ``t`` of slice ``k``."""
+    dx, dy = points[b, 0] - points[a, 0], points[b, 1] - points[a, 1]
     span = np.sqrt(dx * dx + dy * dy)
     if span == 0.0:
         return t
-    length = span * 0.5 * (scale[a] + scale[b])
-    return sail_line(t, lat[a], lon[a], lat[b], lon[b], length, dx / span, dy / span, piece, wind, speeds)
+    inverse = 1.0 / span
+    return sail_line(
+        t,
+        k,
+        points[a, 2],
+        points[a, 0] * DEGREES_PER_METRE,
+        points[b, 2],
+        points[b, 0] * DEGREES_PER_METRE,
+        span * 0.5 * (points[a, 3] + points[b, 3]),
+        dx * inverse,
+        dy * inverse,
+        piece,
+        wind,
+        speeds,
+    )
+
+
+@inlined
+def least_seconds(a, b, points, slow):
+    """Time [s] that an edge takes at the very least."""
+    dx, dy = points[b, 0] - points[a, 0], points[b, 1] - points[a, 1]
+    return np.sqrt(dx * dx + dy * dy) * 0.5 * (points[a, 3] + points[b, 3]) * slow
 
 
 @kernel
 def edge_arrival(t, a, b, points, piece, wind, speeds):
     """`sail_edge` for callers outside compiled code: the reference search and the tests."""
-    return sail_edge(t, a, b, points, piece, wind, speeds)
-
-
-@inlined
-def _sift_up(heap, keys, place, k):
-    vertex = heap[k]
-    key = keys[vertex]
-    while k > 0:
-        above = (k - 1) >> 2
-        other = heap[above]
-        if keys[other] < key or (keys[other] == key and other < vertex):
-            break
-        heap[k] = other
-        place[other] = k
-        k = above
-    heap[k] = vertex
-    place[vertex] = k
-
-
-@inlined
-def _sift_down(heap, keys, place, size):
-    k = 0
-    vertex = heap[0]
-    key = keys[vertex]
-    while True:
-        first = 4 * k + 1
-        if first >= size:
-            break
-        best = first
-        for child in range(first + 1, min(first + 4, size)):
-            if keys[heap[child]] < keys[heap[best]] or (
-                keys[heap[child]] == keys[heap[best]] and heap[child] < heap[best]
-            ):
-                best = child
-        other = heap[best]
-        if key < keys[other] or (key == keys[other] and vertex < other):
-            break
-        heap[k] = other
-        place[other] = k
-        k = best
-    heap[k] = vertex
-    place[vertex] = k
+    return sail_edge(t, slice_at(t, wind), a, b, points, piece, wind, speeds)
 
 
 @kernel
-def search(start, end, departure, latest, ahead, points, edges, piece, wind, speeds, zones):
+def _crosses_land(a, b, points, unchecked):
+    """Tell whether an edge crosses land, looked at in the same direction whoever asks."""
+    raster, ox, oy, cell = unchecked
+    x0, y0, x1, y1 = points[a, 0], points[a, 1], points[b, 0], points[b, 1]
+    if x1 < x0 or (x1 == x0 and y1 < y0):
+        x0, y0, x1, y1 = x1, y1, x0, y0
+    return not free_line(raster, (x0 - ox) / cell, (y0 - oy) / cell, (x1 - ox) / cell, (y1 - oy) / cell)
+
+
+@kernel
+def search(start, end, departure, latest, ahead, points, edges, unchecked, piece, wind, speeds, slow, zones):
     """Time-dependent Dijkstra, goal-directed (A*), with an indexed 4-ary heap in an array.
 
     Parameters
@@ -298,6 +304,9 @@ def search(start, end, departure, latest, ahead, points, edges, piece, wind, spe
         ``(n,)`` consistent lower bound of the time from each vertex to the end [s]; zeros for Dijkstra.
     edges
         ``(first, target)``: compressed sparse rows.
+    unchecked
+        ``(arrays, x0, y0, cell)`` of the raster against which edges still have to be held, without cells
+        where none has: of many edges few are ever the fastest way to a vertex.
     zones
         Closed areas, see `seacruise.sea._prisms.closed`.
 
@@ -309,109 +318,72 @@ def search(start, end, departure, latest, ahead, points, edges, piece, wind, spe
     first, target = edges
     n = first.size - 1
     arrival = np.full(n, np.inf)
-    keys = np.full(n, np.inf)
     before = np.full(n, -1, dtype=np.int32)
-    heap = np.empty(n, dtype=np.int32)
+    heap, keys = np.empty(n, dtype=np.int32), np.empty(n)
     place = np.full(n, -1, dtype=np.int32)
     done = np.zeros(n, dtype=np.bool_)
     arrival[start] = departure
-    keys[start] = departure + ahead[start]
-    heap[0] = start
+    heap[0], keys[0] = start, departure + ahead[start]
     place[start] = 0
     size = 1
     settled = 0
     relaxed = 0
     zoned = zones[0].size > 1
+    lazily = unchecked[0][0].size > 0
     while size > 0:
-        a = heap[0]
+        a, key = heap[0], keys[0]
         size -= 1
         if size > 0:
-            heap[0] = heap[size]
-            _sift_down(heap, keys, place, size)
+            sift_down(heap, keys, place, size)
         done[a] = True
         settled += 1
-        if a == end or keys[a] > latest:
+        if a == end or key > latest:
             break
         t = arrival[a]
+        k = slice_at(t, wind)
         for e in range(first[a], first[a + 1]):
             b = target[e]
             if done[b]:
                 continue
+            if t + least_seconds(a, b, points, slow) > arrival[b]:
+                continue
             relaxed += 1
-            then = sail_edge(t, a, b, points, piece, wind, speeds)
+            then = sail_edge(t, k, a, b, points, piece, wind, speeds)
             if then < arrival[b] or (then == arrival[b] and then < np.inf and a < before[b]):
-                if zoned and closed(zones, points[0][a], points[1][a], t, points[0][b], points[1][b], then):
+                if zoned and closed(zones, points[a, 0], points[a, 1], t, points[b, 0], points[b, 1], then):
                     continue
-                if place[b] < 0:
-                    heap[size] = b
-                    place[b] = size
+                if lazily and _crosses_land(a, b, points, unchecked):
+                    continue
+                hole = place[b]
+                if hole < 0:
+                    hole = size
                     size += 1
                 arrival[b] = then
                 before[b] = a
-                keys[b] = then + ahead[b]
-                _sift_up(heap, keys, place, place[b])
+                sift_up(heap, keys, place, hole, b, then + ahead[b])
     return arrival, before, settled, relaxed
 
 
-@kernel
-def sort_rows(source, count):
-    """Stable order of edges by their source vertex, and the first edge of each: a counting sort."""
-    first = np.zeros(count + 1, dtype=np.int64)
-    for k in range(source.size):
-        first[source[k] + 1] += 1
-    for k in range(count):
-        first[k + 1] += first[k]
-    free = first[:-1].copy()
-    order = np.empty(source.size, dtype=np.int64)
-    for k in range(source.size):
-        order[free[source[k]]] = k
-        free[source[k]] += 1
-    return first, order
-
-
-@kernel
-def reachable(first, target, start):
-    """Vertices that hang together with ``start``, whatever the wind."""
-    seen = np.zeros(first.size - 1, dtype=np.bool_)
-    stack = np.empty(first.size - 1, dtype=np.int64)
-    seen[start] = True
-    stack[0] = start
-    top = 1
-    while top > 0:
-        top -= 1
-        a = stack[top]
-        for e in range(first[a], first[a + 1]):
-            b = target[e]
-            if not seen[b]:
-                seen[b] = True
-                stack[top] = b
-                top += 1
-    return seen
-
-
-EARTH_RADIUS = 6_371_008.8
-DEGREES_PER_METRE = 180.0 / (np.pi * EARTH_RADIUS)
-
-
 @inlined
-def _latitude(y):
+def latitude(y):
+    """Latitude [degrees] of a point of the Mercator plane [m]."""
     return np.degrees(np.arctan(np.sinh(y / EARTH_RADIUS)))
 
 
 @kernel
-def sail_rhumb(t, x0, y0, x1, y1, piece, wind, speeds):
-    """`sail_line` along the rhumb line between two points of the Mercator plane [m]."""
+def sail_rhumb(t, x0, y0, lat0, x1, y1, lat1, piece, wind, speeds):
+    """`sail_line` along the rhumb line between two points of the Mercator plane [m] of known latitudes."""
     dx, dy = x1 - x0, y1 - y0
     span = np.sqrt(dx * dx + dy * dy)
     if span < 1e-6:
         return t
-    lat0, lat1 = _latitude(y0), _latitude(y1)
     if abs(dy) > 1.0:
         length = span * EARTH_RADIUS * np.radians(lat1 - lat0) / dy
     else:
         length = span * np.cos(np.radians(0.5 * (lat0 + lat1)))
     return sail_line(
         t,
+        slice_at(t, wind),
         lat0,
         x0 * DEGREES_PER_METRE,
         lat1,

@@ -9,9 +9,7 @@ from __future__ import annotations
 import numpy as np
 
 from seacruise.compiled import kernel
-
-LEAST_SHARE = 0.4
-"""`seacruise.yacht.knobs.LEAST_SHARE`, which a test holds equal."""
+from seacruise.yacht.knobs import LEAST_SHARE
 
 
 @kernel

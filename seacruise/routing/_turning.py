@@ -9,7 +9,14 @@ from __future__ import annotations
 import numpy as np
 
 from seacruise.compiled import inlined, kernel
-from seacruise.routing._kernels import _sift_down, _sift_up, sail_edge, wind_at
+from seacruise.routing._heap import sift_down, sift_up
+from seacruise.routing._kernels import (
+    DEGREES_PER_METRE,
+    least_seconds,
+    sail_edge,
+    slice_at,
+    wind_at,
+)
 from seacruise.sea._prisms import closed
 
 
@@ -37,11 +44,13 @@ def longest_pause(pauses):
 
 
 @kernel
-def search_turning(start, end, departure, ahead, points, edges, source, piece, wind, speeds, zones, pauses):
+def search_turning(
+    start, end, departure, ahead, points, edges, source, piece, wind, speeds, slow, zones, pauses
+):
     """Time-dependent A* over edges, each turn between two of them paid for.
 
     A state is settled unless another one at its vertex is earlier by the costliest turn there is: whatever
-    comes next, that one can turn and be there first.
+    comes next, that one can turn and be there first. ``best`` is the earliest that is known of each vertex.
 
     Parameters
     ----------
@@ -56,11 +65,10 @@ def search_turning(start, end, departure, ahead, points, edges, source, piece, w
     """
     first, target = edges
     m = target.size
-    x, y, lat, lon, _ = points
+    x, y = points[:, 0], points[:, 1]
     arrival = np.full(m, np.inf)
-    keys = np.full(m, np.inf)
     before = np.full(m, -1, dtype=np.int32)
-    heap = np.empty(m, dtype=np.int32)
+    heap, keys = np.empty(m, dtype=np.int32), np.empty(m)
     place = np.full(m, -1, dtype=np.int32)
     done = np.zeros(m, dtype=np.bool_)
     best = np.full(first.size - 1, np.inf)
@@ -81,45 +89,48 @@ def search_turning(start, end, departure, ahead, points, edges, source, piece, w
             dx, dy = x[a] - x[source[e]], y[a] - y[source[e]]
             span = max(np.sqrt(dx * dx + dy * dy), 1e-9)
             east, north = dx / span, dy / span
-            u, v = wind_at(t, lat[a], lon[a], wind)
+            u, v = wind_at(t, points[a, 2], x[a] * DEGREES_PER_METRE, wind)
         for f in range(first[a], first[a + 1]):
             if done[f]:
                 continue
             b = target[f]
+            # What cannot be early enough even without turning need not be asked what turning costs.
+            least = least_seconds(a, b, points, slow)
+            latest = min(arrival[f], best[b] + most)
+            if t + least >= latest:
+                continue
             leave = t
             if e >= 0:
                 dx, dy = x[b] - x[a], y[b] - y[a]
                 span = max(np.sqrt(dx * dx + dy * dy), 1e-9)
                 leave = t + pause_of(east, north, dx / span, dy / span, u, v, pauses)
-            if leave >= arrival[f]:
-                continue
+                if leave + least >= latest:
+                    continue
             relaxed += 1
-            then = sail_edge(leave, a, b, points, piece, wind, speeds)
+            then = sail_edge(leave, slice_at(leave, wind), a, b, points, piece, wind, speeds)
             if then < arrival[f] and then < best[b] + most:
                 if zoned and closed(zones, x[a], y[a], leave, x[b], y[b], then):
                     continue
-                if place[f] < 0:
-                    heap[size] = f
-                    place[f] = size
+                hole = place[f]
+                if hole < 0:
+                    hole = size
                     size += 1
                 arrival[f] = then
+                best[b] = min(best[b], then)
                 before[f] = e
-                keys[f] = then + ahead[b]
-                _sift_up(heap, keys, place, place[f])
+                sift_up(heap, keys, place, hole, f, then + ahead[b])
         e = -1
         while size > 0 and e < 0:
             e = heap[0]
             size -= 1
             if size > 0:
-                heap[0] = heap[size]
-                _sift_down(heap, keys, place, size)
+                sift_down(heap, keys, place, size)
             done[e] = True
             if arrival[e] >= best[target[e]] + most and arrival[e] > best[target[e]]:
                 e = -1
         if e < 0:
             break
         settled += 1
-        best[target[e]] = min(best[target[e]], arrival[e])
         if target[e] == end:
             last = e
             break
@@ -153,8 +164,8 @@ def fewest_changes(
         ``(most + 1,)`` arrival at the end [s] and the state it is reached by (-1 if it is not); ``(k,)`` edge
         of each state and the state before it (-1 at the start).
     """
-    n, m = points[0].size, target.size
-    x, y = points[0], points[1]
+    n, m = points.shape[0], target.size
+    x, y = points[:, 0], points[:, 1]
     zoned = zones[0].size > 1
     arrivals = np.full(most + 1, np.inf)
     arrived_by = np.full(most + 1, -1, dtype=np.int32)
@@ -185,7 +196,7 @@ def fewest_changes(
                     continue
                 if t < left[f]:
                     left[f] = t
-                    there[f] = sail_edge(t, a, b, points, piece, wind, speeds)
+                    there[f] = sail_edge(t, slice_at(t, wind), a, b, points, piece, wind, speeds)
                     if zoned and closed(zones, x[a], y[a], t, x[b], y[b], there[f]):
                         there[f] = np.inf
                     if count == edge.size:

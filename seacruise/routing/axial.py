@@ -39,40 +39,41 @@ def unique(i: Whole, j: Whole) -> tuple[Whole, Whole]:
 class Index:
     """Finds where in a list a position stands.
 
-    A table over the rectangle of all positions answers fastest; where that would be much larger than the
-    list - a fine corridor across half a sea - a sorted list of keys does.
+    A table over each row, from its first position to its last, answers fastest; where that would be much
+    larger than the list - the shores of half a sea - a row is searched.
 
     Parameters
     ----------
     i, j
         ``(n,)`` axial positions, each once, sorted as `unique` gives them.
+
+    Attributes
+    ----------
+    arrays
+        What `seacruise.routing._points` calls ``index``: the first row; ``(r + 1,)`` where in the list each
+        row begins; ``(r,)`` its first column and where in the table it begins; the table; and ``i``.
     """
 
     def __init__(self, i: Whole, j: Whole) -> None:
-        self._table: NDArray[np.int32] | None = None
-        self._keys = keys(i, j)
-        if i.size == 0:
-            return
-        self._i0, self._j0 = int(i.min()), int(j.min())
-        shape = (int(j.max()) - self._j0 + 1, int(i.max()) - self._i0 + 1)
-        if shape[0] * shape[1] <= max(_DENSEST, 4 * i.size):
-            self._table = np.full(shape, -1, dtype=np.int32)
-            self._table[j - self._j0, i - self._i0] = np.arange(i.size, dtype=np.int32)
+        j0 = int(j[0]) if j.size else 0
+        rows = int(j[-1]) - j0 + 1 if j.size else 0
+        first = np.searchsorted(j, np.arange(j0, j0 + rows + 1))
+        filled = first[1:] > first[:-1]
+        low, width = np.zeros(rows, dtype=np.int64), np.zeros(rows, dtype=np.int64)
+        low[filled] = i[first[:-1][filled]]
+        width[filled] = i[first[1:][filled] - 1] - low[filled] + 1
+        base = np.concatenate([[0], np.cumsum(width)])
+        table = np.empty(0, dtype=np.int32)
+        if base[-1] <= max(_DENSEST, 4 * i.size):
+            table = np.full(int(base[-1]), -1, dtype=np.int32)
+            table[base[j - j0] + i - low[j - j0]] = np.arange(i.size, dtype=np.int32)
+        self.arrays = (j0, first, low, base, table, i)
 
     def at(self, i: Whole, j: Whole) -> Whole:
         """Places in the list ``(m,)`` of positions ``(m,)``; -1 where they are not in it."""
-        if self._keys.size == 0:
-            return np.full(i.shape, -1, dtype=np.int64)
-        if self._table is None:
-            wanted = keys(i, j)
-            place = np.searchsorted(self._keys, wanted)
-            place[place == self._keys.size] = 0
-            return np.where(self._keys[place] == wanted, place, -1)
-        r, c = j - self._j0, i - self._i0
-        inside = (r >= 0) & (r < self._table.shape[0]) & (c >= 0) & (c < self._table.shape[1])
-        found = np.full(i.shape, -1, dtype=np.int64)
-        found[inside] = self._table[r[inside], c[inside]]
-        return found
+        from seacruise.routing import _points as k
+
+        return np.asarray(k.find_many(self.arrays, i, j))
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from seacruise.routing.field import SpeedTable, WindField
 from seacruise.routing.lattice import Lattice
-from seacruise.routing.search import PIECE_M
+from seacruise.routing.search import PIECE_M, seconds_a_metre
 from seacruise.sea.zones import NO_ZONES, Zones
 
 Array = NDArray[np.float64]
@@ -72,10 +72,10 @@ def latest_departures(
     zones
         Closed areas.
     """
-    from seacruise.routing import _backwards, _kernels
+    from seacruise.routing import _backwards, _rows
 
     sources = lattice.sources()
-    first, order = _kernels.sort_rows(lattice.target, lattice.vertices)
+    first, order = _rows.sort_rows(lattice.target, lattice.vertices)
     return Latest(
         *_backwards.search_back(
             lattice.end,
@@ -86,6 +86,7 @@ def latest_departures(
             piece_m,
             field.arrays,
             speeds.arrays,
+            seconds_a_metre(field, speeds),
             zones.arrays,
         )
     )

@@ -10,6 +10,8 @@ the way.
 
 from __future__ import annotations
 
+import math
+from functools import lru_cache
 from typing import Final
 
 import numpy as np
@@ -27,6 +29,7 @@ SAFETY: Final = 1.003
 """Covers what sampling courses, winds and places can miss of a maximum."""
 
 _RINGS: Final = 48
+_ROWS: Final = 16
 _ANGLES: Final = 91
 
 
@@ -64,25 +67,20 @@ def lower_bound_s(
         inside[:] = True
     lat, lon, to_end = lat[inside], lon[inside], to_end[inside]
     bearing = _bearing(lat, lon, *end)
-    closing = _support(speeds)
+    closing = _support(speeds, math.ceil(strongest * PER_TWS / _ROWS) * _ROWS)
     left, t = distance, 0.0
-    before: tuple[Array, Array] | None = None
     while left > 0.0 and t < found_s:
         near = np.abs(to_end - left) <= cell + distance / _RINGS
         near = near if near.any() else np.ones_like(near)
         step = min(STEP_S, found_s - t)
-        best = 0.0
-        after = wind.at(departure + t + step, lat, lon)
-        for u_all, v_all in (before or wind.at(departure, lat, lon), after):
-            u, v = u_all[near], v_all[near]
-            if drift > 0.0:
-                tws = float(np.hypot(u, v).max())
-                best = max(best, speeds.fastest(tws + drift) + drift)
-            else:
-                best = max(best, float(_look_up(closing, u, v, bearing[near]).max()))
+        # Wind is linear in time between two looks, and no stronger than at the stronger of them.
+        u, v = wind.at(departure + t + np.array([[0.0], [step]]), lat[near], lon[near])
+        if drift > 0.0:
+            best = speeds.fastest(float(np.hypot(u, v).max()) + drift) + drift
+        else:
+            best = float(_look_up(closing, u, v, bearing[near]).max())
         if best * SAFETY * step >= left:
             return t + left / (best * SAFETY)
-        before = after
         left -= best * SAFETY * step
         t += step
     return min(t, found_s)
@@ -104,9 +102,13 @@ def _bearing(lat: Array, lon: Array, lat0: float, lon0: float) -> Array:
     )
 
 
-def _support(speeds: SpeedTable) -> Array:
-    """Greatest speed made good ``(w, a)`` by TWS and angle between wind and goal: the support function."""
-    table, _ = speeds.arrays
+@lru_cache(maxsize=8)
+def _support(speeds: SpeedTable, rows: int) -> Array:
+    """Greatest speed made good ``(w, a)`` by TWS and angle between wind and goal: the support function.
+
+    Of the table's first rows, and two more.
+    """
+    table = speeds.arrays[0][: rows + 2]
     angles = np.linspace(0.0, np.pi, _ANGLES)
     column = np.round((np.cos(angles) + 1.0) / 2 * (table.shape[1] - 1)).astype(int)
     by_angle = table[:, column].astype(np.float64)

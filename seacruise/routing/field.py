@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from typing import Any, Final
 
 import numpy as np
@@ -56,6 +57,11 @@ class WindField:
         """Greatest speed over ground [m/s] in winds up to ``strongest`` [m/s], by default the field's."""
         wind = self.strongest if strongest is None else strongest
         return speeds.fastest(wind + self.drift) + self.drift
+
+    def fastest_each(self, speeds: SpeedTable, strongest: NDArray[np.float64]) -> NDArray[np.float64]:
+        """`fastest` in winds up to each of some speeds ``(n,)`` [m/s]."""
+        row = np.ceil((np.asarray(strongest, dtype=np.float64) + self.drift) * PER_TWS).astype(np.int64)
+        return np.asarray(speeds.top[np.minimum(row, speeds.top.size - 1)] + self.drift)
 
 
 _NONE: Final = np.empty((0, 2, 2), dtype=np.float32)
@@ -132,7 +138,7 @@ def wind_field(
     if current is not None:
         end = max(end, float(current.time[-1]))
     if since is not None:
-        begin = min(max(begin, np.floor((since - begin) / slice_s) * slice_s + begin), end)
+        begin = min(max(begin, _slice_of(since, begin, slice_s)), end)
     nodes = wind.u.shape[1] * wind.u.shape[2]
     if current is not None:
         nodes += current.u.shape[1] * current.u.shape[2]
@@ -154,6 +160,40 @@ def wind_field(
     if current is not None or danger is not NO_DANGER or knobs.turned:
         arrays = (*arrays, stream, danger, slowed)
     return WindField(arrays, horizon, float(tws.max()), float(tws.mean()), drift)
+
+
+def _slice_of(since: float, begin: float, slice_s: float) -> float:
+    """Begin of the slice in which a time lies [s since 1970]."""
+    return float(np.floor((since - begin) / slice_s) * slice_s + begin)
+
+
+_KEPT_BYTES: Final = 16 * 2**20
+_KEPT: Final = 6
+
+
+@lru_cache(maxsize=_KEPT)
+def _made(wind: Wind, current: Current | None, **how: Any) -> WindField:
+    return wind_field(wind, current=current, **how)
+
+
+def kept_field(
+    wind: Wind,
+    *,
+    slice_s: float,
+    since: float,
+    current: Current | None,
+    limits: SeaLimits,
+    knobs: Knobs,
+) -> WindField:
+    """Give a `wind_field` made before: departures of the same slice of time share it.
+
+    Large ones are made anew: a few of them would fill the memory of a small computer.
+    """
+    begin = float(wind.time[0])
+    since = max(begin, _slice_of(since, begin, slice_s))
+    slices = max(0.0, float(wind.time[-1]) - since) / slice_s + 1.0
+    make = _made if slices * wind.u[0].size * 8 <= _KEPT_BYTES else wind_field
+    return make(wind, current=current, slice_s=slice_s, since=since, limits=limits, knobs=knobs)
 
 
 def _frame(flow: Flow) -> tuple[float, float, float, float]:
@@ -271,14 +311,7 @@ class SpeedTable:
 def speed_table(polar: Polar, handling: Handling) -> SpeedTable:
     """Tabulate a polar, finely enough that looking it up costs less than 0.05 % of speed."""
     tws = np.arange(int(TOP_TWS * PER_TWS) + 2) / PER_TWS
-    twa = np.degrees(np.arccos(np.linspace(-1.0, 1.0, COSINES)))
-    if handling.tacking:
-        degrees = np.linspace(0.0, 180.0, 721)
-        by_degree = hull_speed(polar, tws, degrees)
-        table = np.array([np.interp(twa, degrees, row) for row in by_degree])
-    else:
-        table = polar.speed(tws[:, None], twa[None, :])
-    table = table * handling.share
+    table = _tabulated(polar, handling.tacking) * handling.share
     top = table.max(axis=1)
     if handling.motor_below is not None:
         motored = np.where(table < handling.motor_below, np.maximum(table, handling.motor_speed), table)
@@ -289,6 +322,40 @@ def speed_table(polar: Polar, handling: Handling) -> SpeedTable:
     if handling.max_wind is not None:
         table[tws > handling.max_wind + 1e-9] = -1.0
     return SpeedTable((np.ascontiguousarray(table, dtype=np.float32), PER_TWS), top)
+
+
+@lru_cache(maxsize=8)
+def _tabulated(polar: Polar, tacking: bool) -> NDArray[np.float64]:
+    """Table of a polar or of its hull, kept: it takes thirty times longer than what a crew changes in it."""
+    tws = np.arange(int(TOP_TWS * PER_TWS) + 2) / PER_TWS
+    twa = np.degrees(np.arccos(np.linspace(-1.0, 1.0, COSINES)))
+    if not tacking:
+        return polar.speed(tws[:, None], twa[None, :])
+    degrees = np.linspace(0.0, 180.0, 721)
+    return np.array([np.interp(twa, degrees, row) for row in hull_speed(polar, tws, degrees)])
+
+
+def tacking_may_gain(
+    polar: Polar, tws: NDArray[np.float64], twa: NDArray[np.float64], *, least: float
+) -> NDArray[np.bool_]:
+    """Tell where the hull of a polar may be faster than the polar itself, by a share of at least ``least``.
+
+    Looked up in the tables of the search at the four entries around each point, so that `hull_headings`,
+    which takes a thousand times longer, need not be asked on a reach.
+
+    Parameters
+    ----------
+    tws, twa
+        ``(n,)`` true wind speeds [m/s] and angles [degrees].
+    """
+    hull, straight = _tabulated(polar, True), _tabulated(polar, False)
+    row = np.minimum((tws * PER_TWS).astype(np.int64), hull.shape[0] - 2)
+    column = ((np.cos(np.radians(twa)) + 1.0) / 2.0 * (COSINES - 1)).astype(np.int64)
+    column = np.clip(column, 0, COSINES - 2)
+    gains = hull > straight * (1.0 + least)
+    return np.asarray(
+        gains[row, column] | gains[row, column + 1] | gains[row + 1, column] | gains[row + 1, column + 1]
+    )
 
 
 def handling_in_knots(

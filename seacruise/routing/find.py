@@ -28,8 +28,8 @@ from seacruise.routing.field import (
     Handling,
     SpeedTable,
     WindField,
+    kept_field,
     speed_table,
-    wind_field,
 )
 from seacruise.routing.lattice import Area, Lattice, Levels
 from seacruise.routing.levels import LatticeCache, Position, levels_around
@@ -134,13 +134,14 @@ class Question:
 
     def winds(self, slice_s: float) -> WindField:
         """Cut wind, current and limits into slices of time, from the departure on."""
-        return wind_field(
+        handling = self.how.handling
+        return kept_field(
             self.wind,
             slice_s=slice_s,
             since=self.departure,
             current=self.current,
-            limits=self.how.handling.limits,
-            knobs=self.how.handling.knobs,
+            limits=handling.limits,
+            knobs=handling.knobs,
         )
 
     @property
@@ -353,10 +354,7 @@ def farthest_m(
         if not inside.any():
             # A grid so coarse that it has no node near: any of its winds may blow here.
             inside[:] = True
-        strongest = tws[:, inside].max(axis=1).tolist()
-        reach = sum(
-            wind.fastest(speeds, most) * span for most, span in zip(strongest, lasting.tolist(), strict=True)
-        )
+        reach = float(wind.fastest_each(speeds, tws[:, inside].max(axis=1)) @ lasting)
     return reach
 
 

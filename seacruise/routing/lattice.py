@@ -9,7 +9,8 @@ coarse one by the vertices they share.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+import os
+from concurrent.futures import ThreadPoolExecutor
 from functools import lru_cache
 from typing import Final
 
@@ -20,6 +21,7 @@ from seacruise.errors import InputError
 from seacruise.geodesy import from_mercator, scale, to_mercator
 from seacruise.routing import axial
 from seacruise.routing.area import NO_LEVELS, Area, Levels, chord_m, room_m
+from seacruise.routing.network import CHECKED, Lattice
 from seacruise.routing.stencil import TRIANGLES, Mesh
 from seacruise.sea import Sea
 from seacruise.units import METRES_PER_NM
@@ -38,68 +40,10 @@ OFF_SHORE_M: Final = 10.0
 """Vertices keep about this far off a shoreline [m of the plane]; single precision knows it to 0.1 m."""
 
 _JOINED: Final = 48
-_AT_ONCE: Final = 1_000_000
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Lattice:
-    """Vertices in the Mercator plane and edges as compressed sparse rows.
-
-    Attributes
-    ----------
-    x, y, lat, lon, scale
-        ``(n,)`` of each vertex: plane [m], degrees, true metres per metre of the plane.
-    first, target
-        Edges of vertex v lead to ``target[first[v]:first[v + 1]]``.
-    start, end
-        Vertices of the two ends: the last two.
-    spacing_m
-        Side of the coarsest triangles, or distance of the coarsest columns [m of the plane].
-    joined
-        Vertices of the further positions that were joined to the lattice, in their order.
-    """
-
-    x: Array
-    y: Array
-    lat: Array
-    lon: Array
-    scale: Array
-    first: NDArray[np.int64]
-    target: NDArray[np.int32]
-    start: int
-    end: int
-    spacing_m: float
-    joined: tuple[int, ...] = ()
-
-    @property
-    def points(self) -> tuple[Array, Array, Array, Array, Array]:
-        """What the kernels call ``points``."""
-        return self.x, self.y, self.lat, self.lon, self.scale
-
-    @property
-    def edges(self) -> tuple[NDArray[np.int64], NDArray[np.int32]]:
-        """What the kernels call ``edges``."""
-        return self.first, self.target
-
-    @property
-    def vertices(self) -> int:
-        """Number of vertices."""
-        return int(self.x.size)
-
-    def edges_in_degrees(self) -> NDArray[np.float32]:
-        """Edges ``(m, 4)`` as lat, lon, lat, lon [degrees], for drawing."""
-        return _edges_in_degrees(self)
-
-    def sources(self) -> NDArray[np.int32]:
-        """Source vertex of each edge, ``(m,)``."""
-        return np.repeat(np.arange(self.vertices, dtype=np.int32), np.diff(self.first))
-
-
-@lru_cache(maxsize=4)
-def _edges_in_degrees(lattice: Lattice) -> NDArray[np.float32]:
-    """Put edges together once: every passage on a lattice shows the same ones."""
-    place = np.stack([lattice.lat, lattice.lon], axis=1).astype(np.float32)
-    return np.hstack([place[lattice.sources()], place[lattice.target]])
+_CORES: Final = min(4, os.cpu_count() or 1)
+_ALONE: Final = 50_000
+_AT_ONCE: Final = 4_000_000
+"""Edges that are not worth a second core, and those looked at in one go."""
 
 
 def build(
@@ -115,6 +59,7 @@ def build(
     shore_offsets: NDArray[np.int64] | None = None,
     enter_from: int | None = None,
     joined: tuple[tuple[float, float], ...] = (),
+    lazily: bool = False,
 ) -> Lattice:
     """Build the lattice between two positions [degrees].
 
@@ -133,6 +78,9 @@ def build(
     joined
         Further positions [degrees] that become vertices, joined both ways to those in sight, to the start
         and to the end.
+    lazily
+        Leave the edges that lie in the area to be held against land by `seacruise.routing.search.search`,
+        the only one that can.
 
     Raises
     ------
@@ -141,7 +89,7 @@ def build(
     """
     (sx, ex), (sy, ey) = (c.tolist() for c in to_mercator([start[0], end[0]], [start[1], end[1]]))
     spacing = spacing_nm * METRES_PER_NM / float(scale(float(from_mercator(0.0, (sy + ey) / 2)[0])))
-    grower = _Grower(sea, ((sx, sy), (ex, ey)), (sx, sy), spacing, mesh)
+    grower = _Grower(sea, ((sx, sy), (ex, ey)), (sx, sy), spacing, mesh, lazily=lazily)
     grower.grow_all(offsets, shore_offsets, area, levels)
     jx, jy = to_mercator(*zip(*joined, strict=True)) if joined else (np.empty(0), np.empty(0))
     return grower.finish(enter_from, np.stack([jx, jy], axis=1))
@@ -202,8 +150,10 @@ class _Grower:
         origin: tuple[float, float],
         spacing: float,
         mesh: Mesh,
+        *,
+        lazily: bool = False,
     ) -> None:
-        self.sea, self.origin, self.spacing, self.mesh = sea, origin, spacing, mesh
+        self.sea, self.origin, self.spacing, self.mesh, self.lazily = sea, origin, spacing, mesh, lazily
         self.start, self.end = ends
         self.finest = spacing
         self.x: list[Array] = []
@@ -252,7 +202,8 @@ class _Grower:
         x = self.origin[0] + side * (i + self.mesh.lean * j)
         y = self.origin[1] + side * self.mesh.rise * j
         wanted = self._wet(x, y)
-        wanted[wanted] = area.holds(x[wanted], y[wanted])
+        if area.kind != "corridor":
+            wanted[wanted] = area.holds(x[wanted], y[wanted])
         i, j, x, y = i[wanted], j[wanted], x[wanted], y[wanted]
         numbers = axial.numbers_above(above, i, j)
         fresh = numbers < 0
@@ -265,7 +216,7 @@ class _Grower:
         self.born.append(np.full(number, level, dtype=np.int8))
         self.count += number
         patch = axial.Patch(axial.Index(i, j), numbers)
-        self._join(patch, i, j, offsets)
+        self._join(patch, (i, j), self.sea.water.lines(x, y), offsets)
         return patch
 
     def _candidates(
@@ -273,13 +224,16 @@ class _Grower:
     ) -> tuple[axial.Whole, axial.Whole]:
         """Positions that may become vertices of a level, by row and column."""
         near = self._around_hazards(side, area, level, levels)
+        all_water = (math.inf, 0.0)
+        if level:
+            room = (2.0 * side * self.mesh.longest, levels.radius_at(level))
+        else:
+            room = all_water
         if area.kind == "corridor":
-            i, j = self._along(area.lines, area.reach_m, side)
-            if level == 0:
-                return i, j
-            kept = self._near_shore(i, j, side, levels.radius_at(level))
-            if near[0].size:
-                kept |= axial.Index(*near).at(i, j) >= 0
+            if not near[0].size:
+                return self._along(area.lines, area.reach_m, side, room)
+            i, j = self._along(area.lines, area.reach_m, side, all_water)
+            kept = self._near_shore(i, j, side, levels.radius_at(level)) | (axial.Index(*near).at(i, j) >= 0)
             return i[kept], j[kept]
         from seacruise.routing import _points as k
 
@@ -291,7 +245,7 @@ class _Grower:
             self.origin,
             side,
             (float(low[0]), float(low[1]), float(high[0]), float(high[1])),
-            (2.0 * side * self.mesh.longest, levels.radius_at(level)) if level else (math.inf, 0.0),
+            room,
             6 * MOST_VERTICES,
         )
         if not fits:
@@ -300,14 +254,28 @@ class _Grower:
             return axial.unique(np.concatenate([i, near[0]]), np.concatenate([j, near[1]]))
         return i, j
 
-    def _along(self, lines: Array, reach: float, side: float) -> tuple[axial.Whole, axial.Whole]:
-        """Positions within reach of lines."""
+    def _along(
+        self, lines: Array, reach: float, side: float, room: tuple[float, float]
+    ) -> tuple[axial.Whole, axial.Whole]:
+        """Positions on water within reach of lines, and within some room of a shore."""
         from seacruise.routing import _points as k
 
-        fits, i, j = k.corridor_points(lines, reach, self.mesh.pair, self.origin, side, 6 * MOST_VERTICES)
+        water = self.sea.water
+        upright = np.where((lines[:, 1] > lines[:, 3])[:, None], lines[:, [2, 3, 0, 1]], lines)
+        fits, i, j = k.corridor_points(
+            np.ascontiguousarray(upright[np.argsort(upright[:, 1], kind="stable")]),
+            reach,
+            water.cells,
+            (water.x0, water.y0, water.cell),
+            self.mesh.pair,
+            self.origin,
+            side,
+            room,
+            6 * MOST_VERTICES,
+        )
         if not fits:
             raise _too_fine()
-        return axial.unique(i, j)
+        return i, j
 
     def _around_hazards(
         self, side: float, area: Area, level: int, levels: Levels
@@ -324,18 +292,14 @@ class _Grower:
         east, north = lines[:, [0, 2]].max(axis=1), lines[:, [1, 3]].max(axis=1)
         apart = (east < low[0] - reach) | (west > high[0] + reach)
         apart |= (north < low[1] - reach) | (south > high[1] + reach)
-        return self._along(lines[~apart], reach, side)
+        return self._along(lines[~apart], reach, side, (math.inf, 0.0))
 
     def _wet(self, x: Array, y: Array) -> NDArray[np.bool_]:
         """Which points are water and not so near a shore that rounding could put them on land."""
-        from seacruise.sea import _kernels as k
+        from seacruise.routing import _points as k
 
-        wet = self.sea.is_water_at(x, y)
-        close = np.flatnonzero(wet & (self.sea.water.at(x, y) < k.WATER))
-        m, px, py = OFF_SHORE_M, x[close], y[close]
-        wet[close] = self.sea.clear(np.stack([px - m, py - m, px + m, py + m], axis=1))
-        wet[close] &= self.sea.clear(np.stack([px - m, py + m, px + m, py - m], axis=1))
-        return wet
+        water = self.sea.water
+        return np.asarray(k.wet_points(water.arrays, *water.lines(x, y), OFF_SHORE_M / water.cell))
 
     def _near_shore(self, i: axial.Whole, j: axial.Whole, side: float, radius: float) -> NDArray[np.bool_]:
         """Which positions are within reach of a shore; see `_points.water_points`, which tells the same."""
@@ -348,23 +312,36 @@ class _Grower:
         room = room_m(radius, side * self.mesh.longest, y)
         return np.asarray((value != k.LAND) & (rings * self.sea.water.cell < room))
 
-    def _join(self, patch: axial.Patch, i: axial.Whole, j: axial.Whole, offsets: NDArray[np.int64]) -> None:
+    def _join(
+        self,
+        patch: axial.Patch,
+        at: tuple[axial.Whole, axial.Whole],
+        cells: tuple[Array, Array],
+        offsets: NDArray[np.int64],
+    ) -> None:
         """Add the edges that cross no land, both ways; half of the stencil finds them all."""
-        xs, ys = np.concatenate(self.x), np.concatenate(self.y)
-        half = offsets[: len(offsets) // 2]
-        at_once = max(1, _AT_ONCE // max(1, i.size))
-        for k in range(0, len(half), at_once):
-            some = half[k : k + at_once]
-            place = patch.index.at((i + some[:, :1]).ravel(), (j + some[:, 1:]).ravel())
-            both = np.flatnonzero(place >= 0)
-            a, b = patch.numbers[both % i.size], patch.numbers[place[both]]
-            free = self.sea.clear(np.stack([xs[a], ys[a], xs[b], ys[b]], axis=1))
-            self.a.append(a[free])
-            self.b.append(b[free])
+        from seacruise.routing import _points as k
+
+        half, size = offsets[: len(offsets) // 2], at[0].size
+        land = CHECKED[0] if self.lazily else self.sea.water.arrays
+        # The kernel lets go of the interpreter: a lattice is checked on all cores.
+        parts = min(len(half), max(_CORES if size * len(half) > _ALONE else 1, size * len(half) // _AT_ONCE))
+        if not size or not parts:
+            return
+
+        def join(some: NDArray[np.int64]) -> tuple[NDArray[np.int32], NDArray[np.int32]]:
+            a, b = np.empty((2, size * len(some)), dtype=np.int32)
+            count = k.join_points(patch.index.arrays, *at, *cells, some, land, a, b)
+            return patch.numbers[a[:count]], patch.numbers[b[:count]]
+
+        some = np.array_split(half, parts)
+        for a, b in map(join, some) if parts == 1 else _workers().map(join, some):
+            self.a.append(a)
+            self.b.append(b)
 
     def finish(self, enter_from: int | None, joined: Array) -> Lattice:
         """Join both ends, and further positions ``(m, 2)`` of the plane, and pack the edges into rows."""
-        from seacruise.routing import _kernels as k
+        from seacruise.routing import _rows as k
 
         ends = [self.start, self.end] if enter_from is None else [self.end]
         x = np.concatenate([*self.x, joined[:, 0], [end[0] for end in ends]])
@@ -384,16 +361,20 @@ class _Grower:
         else:
             start = int(np.argmin(np.hypot(x[:count] - self.start[0], y[:count] - self.start[1])))
             leaves, enters = np.empty(0, np.int32), self._in_sight(x, y, n - 1, count, most=enter_from)
-        a = [*self.a, *self.b, np.full(leaves.size, start, np.int32), enters]
-        b = [*self.b, *self.a, leaves, np.full(enters.size, n - 1, np.int32)]
+        source = [np.full(leaves.size, start, np.int32), enters]
+        target = [leaves, np.full(enters.size, n - 1, np.int32)]
         if enter_from is None and bool(self.sea.clear(np.array([[*self.start, *self.end]]))[0]):
-            a.append(np.array([start], np.int32))
-            b.append(np.array([n - 1], np.int32))
-        source, target = np.concatenate(a), np.concatenate(b)
-        first, order = k.sort_rows(source, n)
+            source.append(np.array([start], np.int32))
+            target.append(np.array([n - 1], np.int32))
+        nothing = [np.empty(0, np.int32)]
+        edges = (np.concatenate(nothing + some) for some in (self.a, self.b, source, target))
+        first, to = k.pack_rows(*edges, n)
         lat, lon = from_mercator(x, y)
+        water = self.sea.water
+        unchecked = (water.arrays, water.x0, water.y0, water.cell) if self.lazily else CHECKED
         return Lattice(
-            x, y, lat, lon, scale(lat), first, target[order], start, n - 1, self.spacing, tuple(further)
+            *(x, y, lat, lon, scale(lat), first, to, start, n - 1, self.spacing, tuple(further)),
+            unchecked=unchecked,
         )
 
     def _seen(self, x: Array, y: Array, end: int, further: range) -> NDArray[np.int32]:
@@ -427,6 +408,11 @@ class _Grower:
         here = np.full(near.size, x[end]), np.full(near.size, y[end])
         free = self.sea.clear(np.stack([*here, x[near], y[near]], axis=1))
         return np.asarray(near[free], dtype=np.int32)
+
+
+@lru_cache(maxsize=1)
+def _workers() -> ThreadPoolExecutor:
+    return ThreadPoolExecutor(_CORES, thread_name_prefix="lattice")
 
 
 def _too_fine() -> InputError:

@@ -64,7 +64,18 @@ class Conditions:
         x, y = np.ascontiguousarray(x), np.ascontiguousarray(y)
         times = np.empty(x.size)
         times[0] = departure
-        _relax.retime(x, y, times, x.size, 1, PIECE_M, self.field.arrays, self.speeds.arrays, NO_PAUSES)
+        _relax.retime(
+            x,
+            y,
+            _relax.latitudes(y),
+            times,
+            x.size,
+            1,
+            PIECE_M,
+            self.field.arrays,
+            self.speeds.arrays,
+            NO_PAUSES,
+        )
         return times
 
 

@@ -14,12 +14,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from seacruise.geodesy import from_mercator, rhumb_distance_m, scale
+from seacruise.routing.field import tacking_may_gain
 from seacruise.routing.refine import Line, Waters, relaxed, timed
 from seacruise.sea import Sea
 from seacruise.sea.zones import Zones
 from seacruise.units import METRES_PER_NM
 from seacruise.weather.wind import to_direction
 from seacruise.yacht.hull import hull_headings
+from seacruise.yacht.polar import Polar
 
 if TYPE_CHECKING:
     from seacruise.routing.find import Question
@@ -166,7 +168,7 @@ def _pieces(asked: Question, line: Line) -> list[_Piece]:
         east, north = east * per_s - drift[0], north * per_s - drift[1]
     tws, twd = to_direction(u - drift[0], v - drift[1])
     twa = (twd - np.degrees(np.arctan2(east, north)) + 180.0) % 360.0 - 180.0
-    first, share, second, other = hull_headings(polar, tws, twa)
+    first, share, second, other = _headings(polar, tws, twa)
     made = share * polar.speed(tws, first) * np.cos(np.radians(first - twa))
     made += other * polar.speed(tws, second) * np.cos(np.radians(second - twa))
     direct = polar.speed(tws, twa)
@@ -185,6 +187,15 @@ def _pieces(asked: Question, line: Line) -> list[_Piece]:
         _Piece(points[k], points[k + 1], float(t[k]), float(t[k + 1]), float(gain[k]), headings[:, :, k])
         for k in range(gain.size)
     ]
+
+
+def _headings(polar: Polar, tws: Array, twa: Array) -> tuple[Array, Array, Array, Array]:
+    """`hull_headings`, asked only where it may matter: sailing straight is all the rest can do."""
+    first, share, second, other = twa.copy(), np.ones(twa.size), twa.copy(), np.zeros(twa.size)
+    worth = tacking_may_gain(polar, tws, twa, least=(GAIN - 1.0) / 2.0)
+    if worth.any():
+        first[worth], share[worth], second[worth], other[worth] = hull_headings(polar, tws[worth], twa[worth])
+    return first, share, second, other
 
 
 class _Builder:

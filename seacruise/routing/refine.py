@@ -112,7 +112,18 @@ def timed(waters: Waters, x: Array, y: Array, departure: float) -> Line:
 
     times = np.empty(x.size)
     times[0] = departure
-    _relax.retime(x, y, times, x.size, 1, PIECE_M, waters.field.arrays, waters.speeds.arrays, waters.pauses)
+    _relax.retime(
+        x,
+        y,
+        _relax.latitudes(y),
+        times,
+        x.size,
+        1,
+        PIECE_M,
+        waters.field.arrays,
+        waters.speeds.arrays,
+        waters.pauses,
+    )
     return Line(x, y, times)
 
 
@@ -193,6 +204,7 @@ def in_corridor(
         area=area,
         levels=levels,
         shore_offsets=stencil.triangular(min(courses, SHORE_COURSES)),
+        lazily=not any(waters.pauses),
     )
     path, settled = waters.search(lattice, float(line.times[0]))
     if path.size == 0:

@@ -125,7 +125,7 @@ def resail(asked: Question, course: Course, *, fuel_rate_l_h: float) -> Resailed
     hull = course.short_tacked & handling.tacking
     straight = _table(asked, hull=False)
     engine = (-1.0, 0.0) if handling.motor_below is None else (handling.motor_below, handling.motor_speed)
-    slowed = (*engine, _light(asked), _waves(asked))
+    slowed = (*engine, _light(asked, lat, lon), _waves(asked))
     water = asked.current
     still = _nothing(wind)
     rows, at, arrived, paused = _resail.sail_legs(
@@ -177,13 +177,16 @@ def _nothing(wind: Wind) -> _Grid:
     return wind.time[:0], wind.lat, wind.lon, wind.u[:0], wind.v[:0]
 
 
-def _light(asked: Question) -> _Grid:
-    """Share of her speed that the night leaves, on a grid of its own: dusk is over in less than an hour."""
+def _light(asked: Question, lat: Array, lon: Array) -> _Grid:
+    """Share of her speed that the night leaves, on a grid of its own: dusk is over in less than an hour.
+
+    Around the waypoints: a wind that is the same everywhere has one place only, and it may be dark there.
+    """
     at_night, wind = asked.how.handling.at_night, asked.wind
     if at_night >= 1.0:
         return _nothing(wind)
     times = asked.departure + np.arange(0.0, MOST_LIGHT_S, LIGHT_STEP_S)
-    lat, lon = (np.linspace(axis[0] - 1e-6, axis[-1], 9) for axis in (wind.lat, wind.lon))
+    lat, lon = (np.linspace(axis.min() - 1e-6, axis.max(), 9) for axis in (lat, lon))
     share = night_share(sun_altitude_deg(times[:, None, None], lat[:, None], lon), at_night=at_night)
     return times, lat, lon, share.astype(np.float32), share.astype(np.float32)
 

@@ -16,6 +16,8 @@ from seacruise.units import METRES_PER_NM
 PIECE_M: Final = 8 * METRES_PER_NM
 """Piece of an edge for a first look [m]; `seacruise.routing.refine.PIECE_M` is the fine one."""
 
+_HAIR: Final = 1.0 - 1e-6
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Found:
@@ -88,12 +90,23 @@ def search(
             ahead,
             lattice.points,
             lattice.edges,
+            lattice.unchecked,
             piece_m,
             field.arrays,
             speeds.arrays,
+            seconds_a_metre(field, speeds),
             zones.arrays,
         )
     )
+
+
+def seconds_a_metre(field: WindField, speeds: SpeedTable) -> float:
+    """Time [s] that a metre takes at the very least: at the best speed of all, and a hair less.
+
+    The hair is more than what single precision of winds and speeds can be wrong by.
+    """
+    fastest = field.fastest(speeds)
+    return _HAIR / fastest if fastest > 0.0 else 0.0
 
 
 def bound_ahead(lattice: Lattice, field: WindField, speeds: SpeedTable) -> NDArray[np.float64]:
@@ -107,6 +120,6 @@ def bound_ahead(lattice: Lattice, field: WindField, speeds: SpeedTable) -> NDArr
 
 def connected(lattice: Lattice) -> bool:
     """Tell whether the lattice leads from its start to its end at all, whatever the wind."""
-    from seacruise.routing import _kernels as k
+    from seacruise.routing import _rows as k
 
     return bool(k.reachable(lattice.first, lattice.target, lattice.start)[lattice.end])

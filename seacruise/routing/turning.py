@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from seacruise.routing.backwards import latest_departures
 from seacruise.routing.field import SpeedTable, WindField
 from seacruise.routing.lattice import Lattice
-from seacruise.routing.search import PIECE_M, bound_ahead, search
+from seacruise.routing.search import PIECE_M, bound_ahead, search, seconds_a_metre
 from seacruise.sea.zones import NO_ZONES, Zones
 
 Pauses = tuple[float, float, float]
@@ -64,6 +64,7 @@ def search_turning(
         piece_m,
         field.arrays,
         speeds.arrays,
+        seconds_a_metre(field, speeds),
         zones.arrays,
         pauses,
     )

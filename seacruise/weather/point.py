@@ -4,16 +4,24 @@ from __future__ import annotations
 
 import zlib
 from array import array
-from itertools import groupby
+from collections.abc import Sequence
+from functools import lru_cache
+from itertools import chain, groupby
 from typing import Final
 
 import msgspec
 
 from seacruise.weather.splice import Splice
 
+Series = Sequence[float]
+"""Kept as arrays of doubles: a thousand answers are a million numbers, and making objects of them took longer
+than reading and checking all of them."""
+
 
 class PointAnswer(msgspec.Struct, frozen=True):
     """What a service said about one place, checked and reduced to what is used.
+
+    Any sequences of numbers may be given; they become ``array("d")``.
 
     Attributes
     ----------
@@ -39,17 +47,23 @@ class PointAnswer(msgspec.Struct, frozen=True):
 
     lat: float
     lon: float
-    time: tuple[float, ...]
-    speed: tuple[float, ...]
-    direction: tuple[float, ...]
+    time: Series
+    speed: Series
+    direction: Series
     model: tuple[str, ...]
     notes: tuple[str, ...] = ()
-    gust: tuple[float, ...] = ()
-    wave: tuple[float, ...] = ()
-    current_u: tuple[float, ...] = ()
-    current_v: tuple[float, ...] = ()
-    spread: tuple[float, ...] = ()
+    gust: Series = ()
+    wave: Series = ()
+    current_u: Series = ()
+    current_v: Series = ()
+    spread: Series = ()
     splices: tuple[Splice, ...] = ()
+
+    def __post_init__(self) -> None:
+        for name in _SERIES:
+            values = getattr(self, name)
+            if type(values) is not array:
+                msgspec.structs.force_setattr(self, name, array("d", values))
 
 
 _SERIES: Final = (
@@ -76,7 +90,7 @@ _ZLIB: Final = b"x"
 def pack(answer: PointAnswer) -> bytes:
     """Make bytes of an answer, for `unpack`."""
     runs = tuple((name, len(list(same))) for name, same in groupby(answer.model))
-    series = tuple(array("d", getattr(answer, name)).tobytes() for name in _SERIES)
+    series = tuple(bytes(getattr(answer, name)) for name in _SERIES)
     return msgspec.msgpack.encode(_Packed(answer.lat, answer.lon, series, runs, answer.notes, answer.splices))
 
 
@@ -86,21 +100,20 @@ def unpack(body: bytes) -> PointAnswer | None:
         if body[:1] == _ZLIB:
             return msgspec.msgpack.decode(zlib.decompress(body), type=PointAnswer)
         packed = _UNPACK.decode(body)
-        series = []
-        for one in packed.series:
-            values = array("d")
-            values.frombytes(one)
-            series.append(tuple(values))
+        series = [array("d", one) for one in packed.series]
     except (zlib.error, msgspec.DecodeError, ValueError):
         return None
-    model: list[str] = []
-    for name, count in packed.model:
-        model += [name] * count
     return PointAnswer(
         lat=packed.lat,
         lon=packed.lon,
-        model=tuple(model),
+        model=_by_hour(packed.model),
         notes=packed.notes,
         splices=packed.splices,
         **dict(zip(_SERIES, series, strict=True)),
     )
+
+
+@lru_cache(maxsize=256)
+def _by_hour(runs: tuple[tuple[str, int], ...]) -> tuple[str, ...]:
+    """Names hour by hour; answers of one service mostly share them."""
+    return tuple(chain.from_iterable((name,) * count for name, count in runs))

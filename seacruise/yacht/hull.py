@@ -13,6 +13,7 @@ V. Dannenberg, R. Schueler, A. Schuermann, Appl. Sci. 12 (2022) 3085, doi 10.339
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -26,6 +27,9 @@ ArrayLike = Any
 _STEP = 0.5
 """Sampling of a slice [degrees]. A smooth optimum between samples is then missed by less than 0.01 %;
 the kinks, where it usually lies, are sampled besides."""
+
+_FEW = 4
+"""Winds of which hulls are kept; 30 kB each."""
 
 _DIRECT = 1e-9
 """A mix must beat sailing direct by this share, or rounding would tack on every reach."""
@@ -91,13 +95,20 @@ def hull_headings(polar: Polar, tws: ArrayLike, twa: ArrayLike) -> tuple[Array, 
     side = np.where(port_tack, -1.0, 1.0)
     unique, rows = np.unique(wind, return_inverse=True)
     rows = rows.reshape(wind.shape)
-    speed, first, second, share = _mix(_hull(polar, unique), rows, np.radians(folded))
+    slices = _kept_hull(polar, tuple(unique.tolist())) if unique.size <= _FEW else _hull(polar, unique)
+    speed, first, second, share = _mix(slices, rows, np.radians(folded))
     direct = polar.speed(wind, folded)
     mixed = speed > direct * (1.0 + _DIRECT)
     share1 = np.where(mixed, share, 1.0)
     twa1 = side * np.where(mixed, np.degrees(first), folded)
     twa2 = side * np.where(mixed, np.degrees(second), folded)
     return twa1, share1, twa2, 1.0 - share1
+
+
+@lru_cache(maxsize=64)
+def _kept_hull(polar: Polar, tws: tuple[float, ...]) -> _Slices:
+    """`_hull` of few winds, kept: who asks for one course in a wind mostly asks for more."""
+    return _hull(polar, np.array(tws))
 
 
 def _hull(polar: Polar, tws: Array) -> _Slices:

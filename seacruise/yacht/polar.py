@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from seacruise.errors import InputError
 from seacruise.yacht._curves import Curves, build_curves, evaluate
+from seacruise.yacht._one import evaluate_one
 
 Array = NDArray[np.float64]
 ArrayLike = Any
@@ -106,6 +107,8 @@ class Polar:
         Array
             Of the broadcast shape [m/s]; NaN where an argument is NaN.
         """
+        if isinstance(tws, float) and isinstance(twa, float):
+            return np.asarray(evaluate_one(self.curves, float(tws), float(twa)))
         return evaluate(self.curves, np.asarray(tws, dtype=np.float64), fold_angle(twa))
 
     def to_table(self) -> Polar:

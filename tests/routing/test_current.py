@@ -19,10 +19,10 @@ from seacruise.errors import NoPassageError
 from seacruise.export.jsonform import passage_to_json
 from seacruise.passage import Options, Passage, PassageRequest, plan
 from seacruise.ports import Port
-from seacruise.routing import _backwards, _kernels
+from seacruise.routing import _kernels
 from seacruise.routing.backwards import latest_departures
 from seacruise.routing.field import Handling, SpeedTable, WindField, speed_table, wind_field
-from seacruise.routing.search import PIECE_M, search
+from seacruise.routing.search import search
 from seacruise.settings import Settings
 from seacruise.units import MS_PER_KNOT
 from seacruise.weather.wind import Current, Wind, from_direction
@@ -33,6 +33,7 @@ from tests.routing.worlds import (
     T0,
     cache_dir_of,
     drifter,
+    holds_backwards,
     random_field,
     random_lattice,
     random_table,
@@ -196,14 +197,7 @@ def test_leaving_at_the_latest_arrives_through_a_current(seed: int, hours: float
 def test_an_edge_in_a_current_is_the_same_backwards(seed: int, hours: float) -> None:
     rng = np.random.default_rng(seed)
     lattice, field, speeds = random_lattice(rng, 4), random_stream(rng), random_table(rng)
-    world = lattice.points, PIECE_M, field.arrays, speeds.arrays
-    leave = T0 + hours * HOUR
-    there = _kernels.edge_arrival(leave, 0, 1, *world)
-    if not np.isfinite(there):
-        return
-    back = _backwards.edge_departure(there + 0.01, 0, 1, *world)
-    assert back >= leave - 0.1
-    assert _kernels.edge_arrival(back, 0, 1, *world) <= there + 0.01
+    holds_backwards(lattice, field, speeds, T0 + hours * HOUR)
 
 
 @given(seed=seeds, hours=st.floats(0.0, 30.0), waits=st.floats(0.0, 20.0))

@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 
 from seacruise.geodesy import great_circle_m
 from seacruise.progress import Job
-from seacruise.routing import _backwards, _kernels
+from seacruise.routing import _kernels
 from seacruise.routing.backwards import latest_departures
 from seacruise.routing.field import COARSE_SLICE_S, Handling, speed_table, wind_field
 from seacruise.routing.lattice import Lattice
@@ -28,6 +28,7 @@ from tests.routing.worlds import (
     HOUR,
     T0,
     drifter,
+    holds_backwards,
     open_sea,
     random_field,
     random_lattice,
@@ -83,15 +84,7 @@ def vertex_differs(lattice: Lattice, vertex: int) -> bool:
 def test_an_edge_sailed_backwards_is_the_edge_sailed_forwards(seed: int, hours: float) -> None:
     rng = np.random.default_rng(seed)
     lattice, field, speeds = random_lattice(rng, 4), random_field(rng), random_table(rng)
-    world = lattice.points, PIECE_M, field.arrays, speeds.arrays
-    leave = T0 + hours * HOUR
-    there = _kernels.edge_arrival(leave, 0, 1, *world)
-    if not np.isfinite(there):
-        return
-    # As late as one may: a calm at the begin of the edge lets her leave later for the same arrival.
-    back = _backwards.edge_departure(there + 0.01, 0, 1, *world)
-    assert back >= leave - 0.1
-    assert _kernels.edge_arrival(back, 0, 1, *world) <= there + 0.01
+    holds_backwards(lattice, field, speeds, T0 + hours * HOUR)
 
 
 @many

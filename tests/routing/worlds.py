@@ -14,6 +14,7 @@ from seacruise.progress import Job
 from seacruise.routing.field import PER_TWS, Handling, SpeedTable, WindField
 from seacruise.routing.find import Fastest, Finder, How, Ledger, Question
 from seacruise.routing.lattice import Lattice
+from seacruise.routing.search import PIECE_M
 from seacruise.sea import Sea
 from seacruise.sea.raster import WaterRaster
 from seacruise.units import METRES_PER_NM, MS_PER_KNOT
@@ -192,3 +193,17 @@ def table_of(table: Array, *, limit_row: int | None = None) -> SpeedTable:
 def cache_dir_of(base: Path) -> Path:
     """Folder for the rasters of the sea that all tests of a session share: drawing the Baltic takes 1 s."""
     return base / "shared-sea"
+
+
+def holds_backwards(lattice: Lattice, field: WindField, speeds: SpeedTable, leave: float) -> None:
+    """Check that the edge from vertex 0 to 1 is the same sailed backwards, left at a time [s since 1970]."""
+    from seacruise.routing import _backwards, _kernels
+
+    world = lattice.points, PIECE_M, field.arrays, speeds.arrays
+    there = _kernels.edge_arrival(leave, 0, 1, *world)
+    if not np.isfinite(there):
+        return
+    # As late as one may: a calm at the begin of the edge lets her leave later for the same arrival.
+    back = _backwards.edge_departure(there + 0.01, 0, 1, *world)
+    assert back >= leave - 0.1
+    assert _kernels.edge_arrival(back, 0, 1, *world) <= there + 0.01
