@@ -3,20 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
+from numpy.typing import NDArray
 
 from seacruise.geodesy import great_circle_m, to_mercator
-from seacruise.model import Passage, PassageRequest
+from seacruise.model import Passage, PassageRequest, Track
 from seacruise.passage import how_of
-from seacruise.units import METRES_PER_NM
+from seacruise.units import METRES_PER_NM, MS_PER_KNOT
 
 if TYPE_CHECKING:
     from seacruise.routing.resail import Resailed
     from seacruise.sea import Sea
+    from seacruise.weather.wind import Wind
 
 Position = tuple[float, float]
 
@@ -25,6 +27,9 @@ UNDER_WAY: Final = "Under way"
 
 ARRIVED_NM: Final = 0.2
 """Nearer to the end than this there is nothing left to plan [nm]."""
+
+UPWIND_DEG: Final = 60.0
+"""Sailed closer to the true wind than this she beats, or nearly so: slow, wet and tiring [degrees]."""
 
 SAME_M: Final = 1.0
 """Waypoints nearer to each other than this are one [m of the Mercator plane]."""
@@ -93,3 +98,46 @@ def sail_along(
     )
     course = Course(x, y, np.ones(x.size - 1, dtype=bool))
     return resail(asked, course, fuel_rate_l_h=request.options.fuel_rate_l_h)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Weather:
+    """What a forecast has besides the wind, along a track; ``(n,)`` each, ``None`` where it has none.
+
+    Attributes
+    ----------
+    gust_kn
+        Gusts [kn].
+    wave_m
+        Significant height of the waves [m].
+    current_kn, current_to_deg
+        Current [kn] and where it sets to [degrees true].
+    """
+
+    gust_kn: NDArray[np.float64] | None = None
+    wave_m: NDArray[np.float64] | None = None
+    current_kn: NDArray[np.float64] | None = None
+    current_to_deg: NDArray[np.float64] | None = None
+
+
+def weather_along(track: Track, wind: Wind | None) -> Weather:
+    """Gusts, waves and current at each sample of a track, as far as a wind has them."""
+    if wind is None:
+        return Weather()
+
+    def look(grid: NDArray[np.float32] | None) -> NDArray[np.float64] | None:
+        return None if grid is None else wind.interpolate(grid, track.time, track.lat, track.lon)
+
+    gust, wave = look(wind.gust), look(wind.wave)
+    gust_kn = None if gust is None else gust / MS_PER_KNOT
+    if wind.current is None:
+        return Weather(gust_kn, wave)
+    u, v = wind.current.at(track.time, track.lat, track.lon)
+    return Weather(gust_kn, wave, np.hypot(u, v) / MS_PER_KNOT, np.degrees(np.arctan2(u, v)) % 360.0)
+
+
+def upwind_share(track: Track) -> float:
+    """Give the part of the time that she sails closer to the true wind than `UPWIND_DEG`, 0 to 1."""
+    steps = np.diff(track.time)
+    upwind = (track.twa_deg[:-1] < UPWIND_DEG) & ~track.motor[:-1]
+    return float(steps[upwind].sum() / steps.sum())

@@ -25,7 +25,7 @@ from typing import Final
 
 import numpy as np
 
-from seacruise.along import Position, sail_along, waypoints_of
+from seacruise.along import Position, sail_along, upwind_share, waypoints_of
 from seacruise.between import sea_between
 from seacruise.errors import CancelledError, InputError, SeaCruiseError
 from seacruise.model import Passage, PassageRequest
@@ -39,9 +39,6 @@ from seacruise.weather.wind import Forecast, Wind
 from seacruise.yacht.polar import Polar
 
 __all__ = ["Band", "Run", "Spread", "Study", "compare", "departures_from", "ensemble", "variants"]
-
-UPWIND_DEG: Final = 60.0
-"""Sailed closer to the true wind than this she beats, or nearly so: slow, wet and tiring [degrees]."""
 
 HELD_SHARE: Final = 0.1
 """A passage sailed for more of its time on wind held beyond the forecast is no ground for a choice."""
@@ -99,8 +96,8 @@ class Run:
         Number of the member of the ensemble, from 0; ``None`` for the wind itself.
     duration_h ... beyond_forecast_h
         ``None`` when there is no passage. ``upwind_share`` is the part of the time that she sails closer to
-        the true wind than `UPWIND_DEG`, ``night_h`` the hours with the sun more than 6 degrees below the
-        horizon where she is.
+        the true wind than `along.UPWIND_DEG`, ``night_h`` the hours with the sun more than 6 degrees below
+        the horizon where she is.
     reason, message
         Why there is no passage, as a code and as a sentence; empty when there is one.
     followed_h
@@ -336,8 +333,6 @@ def _none(task: _Task, departure: datetime, reason: str, message: str) -> Run:
 
 def _figures(passage: Passage, *, member: int | None) -> Run:
     track = passage.track
-    steps = np.diff(track.time)
-    upwind = (track.twa_deg[:-1] < UPWIND_DEG) & ~track.motor[:-1]
     return Run(
         departure=passage.departure,
         yacht=passage.yacht,
@@ -346,7 +341,7 @@ def _figures(passage: Passage, *, member: int | None) -> Run:
         arrival=passage.arrival,
         distance_nm=passage.distance_nm,
         max_tws_kn=passage.max_tws_kn,
-        upwind_share=float(steps[upwind].sum() / steps.sum()),
+        upwind_share=upwind_share(track),
         night_h=night_hours(track.time, track.lat, track.lon),
         motor_h=passage.motor_h,
         beyond_forecast_h=passage.beyond_forecast_h,

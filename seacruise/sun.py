@@ -6,7 +6,8 @@ coordinates"): right to about a hundredth of a degree between 1950 and 2050, whi
 
 from __future__ import annotations
 
-from typing import Any, Final
+from dataclasses import dataclass
+from typing import Any, Final, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +16,10 @@ Array = NDArray[np.float64]
 
 CIVIL_TWILIGHT_DEG: Final = -6.0
 """Below this altitude the horizon and unlit marks can no longer be made out [degrees]."""
+
+SUNRISE_DEG: Final = -0.833
+"""Altitude of the sun's centre when its upper limb touches the horizon: half its width, and 34 minutes of
+refraction [degrees] (Explanatory Supplement to the Astronomical Almanac)."""
 
 _J2000: Final = 946_728_000.0
 """2000-01-01T12:00Z, from which the almanac counts [seconds since 1970]."""
@@ -58,3 +63,40 @@ def night_hours(time: Array, lat: Array, lon: Array) -> float:
     middle = [(np.asarray(a[1:]) + np.asarray(a[:-1])) / 2 for a in (time, lat, lon)]
     dark = sun_altitude_deg(*middle) < CIVIL_TWILIGHT_DEG
     return float(np.diff(time)[dark].sum()) / 3600.0
+
+
+@dataclass(frozen=True, slots=True)
+class SunEvent:
+    """Sunrise or sunset under way.
+
+    Attributes
+    ----------
+    time
+        Seconds since 1970.
+    lat, lon
+        Where the yacht is then [degrees].
+    """
+
+    kind: Literal["sunrise", "sunset"]
+    time: float
+    lat: float
+    lon: float
+
+
+def sun_events(time: Array, lat: Array, lon: Array) -> list[SunEvent]:
+    """Sunrises and sunsets along a track, in their order.
+
+    Parameters
+    ----------
+    time
+        ``(n,)`` seconds since 1970, increasing; a sample every few minutes.
+    lat, lon
+        ``(n,)`` degrees.
+    """
+    above = sun_altitude_deg(time, lat, lon) - SUNRISE_DEG
+    events = []
+    for k in np.flatnonzero(np.sign(above[1:]) * np.sign(above[:-1]) < 0).tolist():
+        share = float(above[k] / (above[k] - above[k + 1]))
+        when, where_lat, where_lon = (float(a[k] + share * (a[k + 1] - a[k])) for a in (time, lat, lon))
+        events.append(SunEvent("sunset" if above[k] > 0 else "sunrise", when, where_lat, where_lon))
+    return events
