@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QFileDialog, QWidget
 
 from seacruise.atomic import write_atomically
 from seacruise.desktop.jobs import JobRunner
+from seacruise.desktop.printed import paper_words
 
 if TYPE_CHECKING:
     from seacruise.passage import Passage
@@ -49,7 +50,7 @@ class Exporter(QObject):
         """Save the passage: ``gpx``, ``csv``, ``png``, ``pdf``, ``kml`` or ``geojson``.
 
         The picture and the passage plan are not the screen, but sheets with title, times and sources to hand
-        around.
+        around. The plan speaks the window's language; what programs read stays as it is everywhere.
         """
         types = {
             "gpx": self.tr("GPX route (*.gpx)"),
@@ -63,8 +64,11 @@ class Exporter(QObject):
         def write(path: Path) -> None:
             from seacruise.export import chart, csvform, geojson, gpx, kml, pdf
 
-            if form in {"png", "pdf"}:
-                (chart.write_chart if form == "png" else pdf.write_pdf)(passage, path, wind=wind)
+            if form == "png":
+                chart.write_chart(passage, path, wind=wind)
+                return
+            if form == "pdf":
+                pdf.write_pdf(passage, path, wind=wind, words=paper_words())
                 return
             writers = {
                 "gpx": gpx.write_gpx,

@@ -1,9 +1,10 @@
-"""The legs as CSV, for spreadsheets: decimal points and commas whatever the computer's language."""
+"""The legs as CSV after RFC 4180: decimal points and commas whatever the computer's language."""
 
 from __future__ import annotations
 
 import csv
 import io
+from collections.abc import Iterable
 from pathlib import Path
 
 from seacruise.atomic import write_atomically
@@ -23,13 +24,22 @@ COLUMNS = (
     "twa_deg",
     "tack",
     "motor",
+    "sog_kn",
+    "steer_deg",
+    "current_kn",
+    "current_to_deg",
+    "sail",
 )
+"""New columns come at the end: spreadsheets count them."""
 
 
 def legs_csv(passage: Passage) -> str:
-    """One row a waypoint with the leg that begins there; the cells of the last one's leg are empty."""
+    """One row a waypoint with the leg that begins there; the cells of the last one's leg are empty.
+
+    Lines end with CR LF, as RFC 4180 wants them.
+    """
     table = io.StringIO()
-    writer = csv.writer(table, lineterminator="\n")
+    writer = csv.writer(table, lineterminator="\r\n")
     writer.writerow(COLUMNS)
     for number, w in enumerate(passage.waypoints):
         figures = (
@@ -42,10 +52,15 @@ def legs_csv(passage: Passage) -> str:
             (w.twd_deg, 1),
             (w.twa_deg, 1),
         )
-        cells = ["" if value is None else f"{value:.{digits}f}" for value, digits in figures]
+        water = ((w.sog_kn, 2), (w.steer_deg, 1), (w.current_kn, 2), (w.current_to_deg, 1))
         motor = "" if w.motor is None else "yes" if w.motor else "no"
-        writer.writerow([number, format_time(w.time), *cells, w.tack or "", motor])
+        about = [*_cells(figures), w.tack or "", motor, *_cells(water), w.sail or ""]
+        writer.writerow([number, format_time(w.time), *about])
     return table.getvalue()
+
+
+def _cells(figures: Iterable[tuple[float | None, int]]) -> list[str]:
+    return ["" if value is None else f"{value:.{digits}f}" for value, digits in figures]
 
 
 def write_csv(passage: Passage, path: Path) -> None:

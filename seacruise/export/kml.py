@@ -8,7 +8,7 @@ from pathlib import Path
 from seacruise.atomic import write_atomically
 from seacruise.export.jsonform import format_time
 from seacruise.export.textform import NOTICE, format_duration, leg_sentence, title
-from seacruise.export.xmlform import add_text, document, waypoint_names
+from seacruise.export.xmlform import add_text, document, folded, waypoint_names
 from seacruise.passage import Passage
 
 NAMESPACE = "http://www.opengis.net/kml/2.2"
@@ -53,7 +53,7 @@ def _add_line(body: ET.Element, passage: Passage) -> None:
     add_text(line, "tessellate", "1")
     # The sailed samples, not the waypoints: between those a map program would draw great circles.
     samples = zip(passage.track.lon, passage.track.lat, strict=True)
-    add_text(line, "coordinates", " ".join(f"{lon:.6f},{lat:.6f}" for lon, lat in samples))
+    add_text(line, "coordinates", " ".join(f"{folded(lon):.6f},{lat:.6f}" for lon, lat in samples))
 
 
 def _add_waypoints(body: ET.Element, passage: Passage) -> None:
@@ -66,4 +66,4 @@ def _add_waypoints(body: ET.Element, passage: Passage) -> None:
             add_text(placemark, "description", leg_sentence(waypoint))
         add_text(ET.SubElement(placemark, "TimeStamp"), "when", format_time(waypoint.time))
         point = ET.SubElement(placemark, "Point")
-        add_text(point, "coordinates", f"{waypoint.lon:.6f},{waypoint.lat:.6f}")
+        add_text(point, "coordinates", f"{folded(waypoint.lon):.6f},{waypoint.lat:.6f}")

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from datetime import UTC, datetime, timedelta
 from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
 
-from seacruise.passage import Passage, Track
+from seacruise.along import weather_along
+from seacruise.export.words import ENGLISH, Words
+from seacruise.passage import Passage
 from seacruise.sun import CIVIL_TWILIGHT_DEG, sun_altitude_deg
-from seacruise.units import MS_PER_KNOT
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -37,7 +37,9 @@ Box = tuple[float, float, float, float]
 Array = NDArray[np.float64]
 
 
-def draw_meteogram(figure: Figure, box: Box, passage: Passage, *, wind: Wind | None = None) -> None:
+def draw_meteogram(
+    figure: Figure, box: Box, passage: Passage, *, wind: Wind | None = None, words: Words = ENGLISH
+) -> None:
     """Draw wind, boat speed and angle, and waves where they are known, over the time of a passage.
 
     Parameters
@@ -47,7 +49,8 @@ def draw_meteogram(figure: Figure, box: Box, passage: Passage, *, wind: Wind | N
     wind
         Source of gusts and waves; without it, or where it has none, they are left out.
     """
-    gust, wave = along_track(passage.track, wind)
+    met = weather_along(passage.track, wind)
+    gust, wave = met.gust_kn, met.wave_m
     heights = [1.3, 1.0] if wave is None else [1.3, 1.0, 0.7]
     left, bottom, width, height = box
     gap = 0.012
@@ -59,31 +62,16 @@ def draw_meteogram(figure: Figure, box: Box, passage: Passage, *, wind: Wind | N
         panels.append(figure.add_axes((left, top, width, unit * share)))
         top -= gap
     times = [datetime.fromtimestamp(t, UTC) for t in passage.track.time.tolist()]
-    _draw_wind(panels[0], times, passage, gust)
-    _draw_boat(panels[1], times, passage)
+    _draw_wind(panels[0], times, passage, gust, words)
+    _draw_boat(panels[1], times, passage, words)
     if wave is not None:
         panels[2].fill_between(_x(times), 0, wave, color=_WAVE, alpha=0.35, linewidth=0)
-        _label(panels[2], "Waves [m]")
+        _label(panels[2], words.say("Waves [m]"))
         panels[2].set_ylim(0, max(1.0, float(wave.max()) * 1.15))
     for panel in panels:
         _shade(panel, times, passage)
-        _set_times(panel, times, labels=panel is panels[-1])
-
-
-def along_track(track: Track, wind: Wind | None) -> tuple[Array | None, Array | None]:
-    """Gusts [kn] and significant wave height [m] at each sample of a track, ``None`` where unknown."""
-    if wind is None:
-        return None, None
-
-    def look(grid: NDArray[np.float32] | None) -> Array | None:
-        if grid is None:
-            return None
-        # A scalar is interpolated like one component of a wind whose other component is nothing.
-        scalar = replace(wind, u=grid, v=np.zeros_like(grid), gust=None, wave=None, members=())
-        return scalar.at(track.time, track.lat, track.lon)[0]
-
-    gust, wave = look(wind.gust), look(wind.wave)
-    return None if gust is None else gust / MS_PER_KNOT, wave
+        _set_times(panel, times, words, labels=panel is panels[-1])
+    _name_the_end(panels[0], times, passage, words)
 
 
 def _x(times: list[datetime]) -> Any:
@@ -91,7 +79,7 @@ def _x(times: list[datetime]) -> Any:
     return np.array([t.timestamp() for t in times]) / 86_400.0
 
 
-def _draw_wind(axes: Axes, times: list[datetime], passage: Passage, gust: Array | None) -> None:
+def _draw_wind(axes: Axes, times: list[datetime], passage: Passage, gust: Array | None, words: Words) -> None:
     """Draw speed as an area, gusts as a line, direction as barbs above."""
     track, x = passage.track, _x(times)
     axes.fill_between(x, 0, track.tws_kn, color=_WIND, alpha=0.30, linewidth=0)
@@ -100,7 +88,14 @@ def _draw_wind(axes: Axes, times: list[datetime], passage: Passage, gust: Array 
     if gust is not None:
         axes.plot(x, gust, color=_GUST, linewidth=1.0, linestyle="--")
         top = max(top, float(gust.max()))
-        axes.text(x[-1], float(gust[-1]), " gusts", fontsize=6.5, color=_GUST, verticalalignment="center")
+        axes.text(
+            x[-1],
+            float(gust[-1]),
+            f" {words.say('gusts')}",
+            fontsize=6.5,
+            color=_GUST,
+            verticalalignment="center",
+        )
     full = max(10.0, top * 1.45)
     axes.set_ylim(0, full)
     # Even in time: samples are denser where legs are short.
@@ -119,28 +114,33 @@ def _draw_wind(axes: Axes, times: list[datetime], passage: Passage, gust: Array 
         flip_barb=track.lat[at] < 0,
         sizes={"emptybarb": 0.12},
     )
-    _label(axes, "True wind [kn]")
+    _label(axes, words.say("True wind [kn]"))
 
 
-def _draw_boat(axes: Axes, times: list[datetime], passage: Passage) -> None:
+def _draw_boat(axes: Axes, times: list[datetime], passage: Passage, words: Words) -> None:
     """Draw boat speed, and on the right the angle of the true wind."""
     track, x = passage.track, _x(times)
     axes.plot(x, track.boat_speed_kn, color=_BOAT, linewidth=1.2)
     axes.set_ylim(0, max(6.0, float(track.boat_speed_kn.max()) * 1.15))
-    _label(axes, "Boat speed [kn]", _BOAT)
+    _label(axes, words.say("Boat speed [kn]"), _BOAT)
     other = axes.twinx()
     other.plot(x, track.twa_deg, color=_ANGLE, linewidth=0.8, linestyle=":")
     other.set_ylim(0, 185)
     other.set_yticks([0, 45, 90, 135, 180])
-    _label(other, "Wind angle [°]", _ANGLE)
+    _label(other, words.say("Wind angle [°]"), _ANGLE)
+    # one grid is enough, and this one would lie over the boat speed
+    other.grid(visible=False)
     other.spines[["top", "left", "bottom"]].set_visible(False)
     if track.motor.any():
         axes.fill_between(x, 0, 0.4, where=track.motor.tolist(), color=_INK, linewidth=0)
-        axes.text(float(x[int(np.argmax(track.motor))]), 0.55, "engine", fontsize=6.5, color=_INK)
+        axes.text(float(x[int(np.argmax(track.motor))]), 0.55, words.say("engine"), fontsize=6.5, color=_INK)
 
 
 def _label(axes: Axes, text: str, color: str = _INK) -> None:
+    from matplotlib.ticker import MaxNLocator
+
     axes.set_ylabel(text, fontsize=7.5, color=color)
+    axes.yaxis.set_major_locator(MaxNLocator(nbins=7, integer=True))
     axes.tick_params(labelsize=7, colors=_INK, length=2.5)
     axes.tick_params(axis="y", labelcolor=color)
     axes.grid(axis="y", color="#c9d1d8", linewidth=0.4)
@@ -165,7 +165,19 @@ def _shade(axes: Axes, times: list[datetime], passage: Passage) -> None:
         )
 
 
-def _set_times(axes: Axes, times: list[datetime], *, labels: bool) -> None:
+def _name_the_end(axes: Axes, times: list[datetime], passage: Passage, words: Words) -> None:
+    """Write beside the hatching what it means, where there is room."""
+    begin, horizon, end = times[0], passage.forecast.valid_to, times[-1]
+    if horizon < end and (end - max(horizon, begin)) > 0.2 * (end - begin):
+        middle = max(horizon, begin) + (end - max(horizon, begin)) / 2
+        axes.text(
+            float(_x([middle])[0]), 0.04, words.say("beyond the forecast"), fontsize=6.5, color=_INK,
+            horizontalalignment="center", transform=axes.get_xaxis_transform(),
+            bbox={"facecolor": "white", "alpha": 0.8, "linewidth": 0, "pad": 1.5},
+        )  # fmt: skip
+
+
+def _set_times(axes: Axes, times: list[datetime], words: Words, *, labels: bool) -> None:
     """Mark even hours; a label has the day where a new one begins."""
     hours = (times[-1] - times[0]).total_seconds() / 3600.0
     step = next((s for s in _TICKS_H if hours / s <= _MOST_TICKS), _TICKS_H[-1] * 2)
@@ -180,5 +192,6 @@ def _set_times(axes: Axes, times: list[datetime], *, labels: bool) -> None:
     for mark in marks:
         new = mark.day not in days
         days.add(mark.day)
-        texts.append(f"{mark:%H:%M}\n{mark:%d.%m.}" if new else f"{mark:%H:%M}")
+        day = words.day_time(mark, year=False).rpartition(" ")[0]
+        texts.append(f"{mark:%H:%M}\n{day}" if new else f"{mark:%H:%M}")
     axes.set_xticklabels(texts if labels else [])

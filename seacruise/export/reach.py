@@ -91,11 +91,13 @@ def _table(ports: tuple[PortReached, ...]) -> str:
         back = "" if found.back_h is None else format_duration(found.back_h)
         leave = "" if found.leave_by is None else format_day_time(found.leave_by)
         fits = "fits" if found.return_fits else "too long"
-        held = f", {found.beyond_forecast_h:.0f} h held wind" if found.beyond_forecast_h >= 0.5 else ""
+        late = (
+            f", {found.beyond_forecast_h:.0f} h after the forecast" if found.beyond_forecast_h >= 0.5 else ""
+        )
         lines.append(
             f"{found.port.name:<{width}}  {found.port.country:2}  {found.distance_nm:5.1f} nm  "
             f"{format_duration(found.out_h):>11}  {format_day_time(found.arrival):<21}  {back:>11}  "
-            f"{leave:<21}  {fits}{held}"
+            f"{leave:<21}  {fits}{late}"
         )
     return "\n".join(lines)
 

@@ -9,17 +9,17 @@ from typing import TYPE_CHECKING, Any, Final
 import numpy as np
 
 from seacruise.atomic import write_atomically
-from seacruise.export.chart import (
-    _INK,
-    _LEFT_IN,
-    _MAGENTA,
-    _RIGHT_IN,
-    _canvas,
-    _draw_graticule,
-    _draw_land,
-    _draw_scale_bar,
-    _frame,
-    _mercator,
+from seacruise.export.chartwork import (
+    INK,
+    LEFT_IN,
+    MAGENTA,
+    RIGHT_IN,
+    canvas,
+    draw_graticule,
+    draw_land,
+    draw_scale_bar,
+    frame_of,
+    mercator,
 )
 from seacruise.export.textform import NOTICE, format_day_time, format_duration
 from seacruise.reach import Reach
@@ -41,13 +41,13 @@ def reach_chart(reached: Reach) -> bytes:
     points = [(port.lat, port.lon) for port in reached.ports] + [(reached.start.lat, reached.start.lon)]
     rings = [ring for line in reached.isochrones for polygon in line.polygons for ring in polygon]
     lat, lon = np.concatenate([np.array(points), *rings]).T
-    frame = _frame(lon, lat)
-    figure, axes = _canvas(frame)
-    _draw_land(axes, frame)
-    _draw_graticule(axes, frame)
+    frame = frame_of(lon, lat)
+    figure, axes = canvas(frame)
+    draw_land(axes, frame)
+    draw_graticule(axes, frame)
     _draw_lines(axes, reached)
     _draw_ports(axes, reached)
-    _draw_scale_bar(axes, frame)
+    draw_scale_bar(axes, frame)
     _write_texts(figure, reached)
     picture = io.BytesIO()
     figure.savefig(picture, format="png", metadata={"Software": "SeaCruise"})
@@ -77,7 +77,7 @@ def _draw_lines(axes: Axes, reached: Reach) -> None:
     for line, colour in reversed(list(zip(reached.isochrones, colours, strict=True))):
         outlines = [
             Outline.make_compound_path(
-                *(Outline(np.column_stack([r[:, 1], _mercator(r[:, 0])]), closed=True) for r in polygon)
+                *(Outline(np.column_stack([r[:, 1], mercator(r[:, 0])]), closed=True) for r in polygon)
             )
             for polygon in line.polygons
         ]
@@ -93,9 +93,9 @@ def _draw_ports(axes: Axes, reached: Reach) -> None:
     """Mark every port; write name and time where there is room for them."""
     labelled: list[Any] = []
     for port in reached.ports:
-        face = _MAGENTA if port.return_fits else "white"
-        x, y = port.lon, float(_mercator(port.lat))
-        axes.plot(x, y, "o", markersize=4, color=face, markeredgecolor=_MAGENTA, zorder=8)
+        face = MAGENTA if port.return_fits else "white"
+        x, y = port.lon, float(mercator(port.lat))
+        axes.plot(x, y, "o", markersize=4, color=face, markeredgecolor=MAGENTA, zorder=8)
         at = axes.transData.transform((x, y))
         if any(
             abs(at[0] - other[0]) < _LABEL_PX[0] and abs(at[1] - other[1]) < _LABEL_PX[1]
@@ -109,11 +109,11 @@ def _draw_ports(axes: Axes, reached: Reach) -> None:
             xytext=(4, 2),
             textcoords="offset points",
             fontsize=5.5,
-            color=_INK,
+            color=INK,
             zorder=9,
         )
-    here = reached.start.lon, float(_mercator(reached.start.lat))
-    axes.plot(*here, "*", markersize=12, color=_MAGENTA, markeredgecolor="white", zorder=10)
+    here = reached.start.lon, float(mercator(reached.start.lat))
+    axes.plot(*here, "*", markersize=12, color=MAGENTA, markeredgecolor="white", zorder=10)
 
 
 def _write_texts(figure: Figure, reached: Reach) -> None:
@@ -124,11 +124,11 @@ def _write_texts(figure: Figure, reached: Reach) -> None:
         f"{reached.yacht}   |   from {format_day_time(reached.departure)} UTC   |   "
         f"{count} of them out and back (filled)"
     )
-    figure.text(_LEFT_IN / width, 1.0 - 0.42 / height, head, fontsize=15, color=_INK)
-    figure.text(_LEFT_IN / width, 1.0 - 0.82 / height, facts, fontsize=9, color=_INK)
+    figure.text(LEFT_IN / width, 1.0 - 0.42 / height, head, fontsize=15, color=INK)
+    figure.text(LEFT_IN / width, 1.0 - 0.82 / height, facts, fontsize=9, color=INK)
     wind = f"Wind: {reached.forecast.source}"
-    figure.text(_LEFT_IN / width, 0.40 / height, wind, fontsize=8, color=_INK)
-    figure.text(_LEFT_IN / width, 0.17 / height, NOTICE, fontsize=8, color=_MAGENTA, fontweight="bold")
+    figure.text(LEFT_IN / width, 0.40 / height, wind, fontsize=8, color=INK)
+    figure.text(LEFT_IN / width, 0.17 / height, NOTICE, fontsize=8, color=MAGENTA, fontweight="bold")
     coast = "Coast: (c) OpenStreetMap contributors, ODbL, Baltic only."
-    right = 1.0 - _RIGHT_IN / width
-    figure.text(right, 0.17 / height, coast, fontsize=7, color=_INK, horizontalalignment="right")
+    right = 1.0 - RIGHT_IN / width
+    figure.text(right, 0.17 / height, coast, fontsize=7, color=INK, horizontalalignment="right")

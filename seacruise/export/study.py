@@ -97,9 +97,10 @@ def study_to_text(study: Study, *, now: datetime) -> str:
         blocks.append(f"{yacht}\n{_table(runs, best)}")
     blocks.append("\n".join(best_sentences(study)))
     notices = [f"! {notice}" for notice in (study.forecast.notice, NOTICE) if notice]
-    held = [run for run in study.runs if run.held_share > 0.0]
-    if held:
-        notices.insert(-1, "! Held: hours sailed in the last known wind, beyond the end of the forecast.")
+    if late := [run for run in study.runs if run.held_share > 0.0]:
+        fading = any(run.passage is not None and run.passage.beyond == "fade" for run in late)
+        how = "which fades to the usual there" if fading else "held as it was"
+        notices.insert(-1, f"! Late: hours sailed after the end of the forecast, in its last wind, {how}.")
     if any(run.band for run in study.runs):
         notices.insert(
             -1,
@@ -114,7 +115,7 @@ def _table(runs: tuple[Run, ...], best: Run | None) -> str:
     bands = any(run.band for run in runs)
     head = (
         f"  {'Departure (UTC)':<21}  {'Duration':>11}  {'Arrival (UTC)':<21}  {'Dist':>8}  {'Wind':>5}  "
-        f"{'Upwind':>6}  {'Night':>5}  {'Engine':>6}  {'Held':>5}"
+        f"{'Upwind':>6}  {'Night':>5}  {'Engine':>6}  {'Late':>5}"
     )
     lines = [head + (f"  {'10 - 50 - 90 % [h]':<22}  {'kept [h]':<22}" if bands else "")]
     for run in runs:
@@ -130,11 +131,11 @@ def _cells(run: Run) -> str:
     if run.duration_h is None or run.arrival is None:
         return f"{_NONE:>11}  {run.reason}: {run.message}"
     engine = f"{run.motor_h:.1f} h" if run.motor_h else _NONE
-    held = f"{run.beyond_forecast_h:.0f} h" if run.beyond_forecast_h else _NONE
+    late = f"{run.beyond_forecast_h:.0f} h" if run.beyond_forecast_h else _NONE
     return (
         f"{format_duration(run.duration_h):>11}  {format_day_time(run.arrival):<21}  "
         f"{run.distance_nm:5.1f} nm  {run.max_tws_kn:2.0f} kn  {run.upwind_share:6.0%}  "
-        f"{run.night_h:3.0f} h  {engine:>6}  {held:>5}"
+        f"{run.night_h:3.0f} h  {engine:>6}  {late:>5}"
     )
 
 
@@ -172,9 +173,9 @@ def _best_of(study: Study, yacht: str) -> str:
     assert against.duration_h is not None
     saved_h = against.duration_h - best.duration_h
     if saved_h < 0.0:
-        # Only passages sailed on too much held wind are shorter than the best one.
+        # Only passages too much of which nobody forecast are shorter than the best one.
         other = format_day_time(against.departure)
-        return f"{leaving}; leaving {other} would be shorter, but too much of it is on held wind."
+        return f"{leaving}; leaving {other} would be shorter, but too much of it is after the forecast."
     return (
         f"{leaving}; saves {format_duration(saved_h)} against leaving {format_day_time(against.departure)}."
     )

@@ -6,85 +6,29 @@ import csv
 import dataclasses
 import io
 import json
+import re
 import xml.etree.ElementTree as ET
 from datetime import UTC, datetime
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-from seacruise.export import csvform, geojson, gpx, kml, textform
+from seacruise.export import csvform, geojson, gpx, kml, textform, xmlform
 from seacruise.passage import Passage, Place, Waypoint
+from tests.export.schemas import KML as KML_SCHEMA
+from tests.export.schemas import faults
+from tests.passages import moved_east
 
 GPX = {"g": gpx.NAMESPACE}
 KML = {"k": kml.NAMESPACE}
 NOW = datetime(2016, 11, 20, 5, tzinfo=UTC)
 
-# Order of children that the GPX 1.1 schema (xsd:sequence) demands.
-GPX_ORDER = {
-    "gpx": ["metadata", "wpt", "rte", "trk"],
-    "metadata": ["name", "desc", "author", "copyright", "link", "time", "keywords", "bounds"],
-    "rte": ["name", "cmt", "desc", "src", "link", "number", "type", "rtept"],
-    "trk": ["name", "cmt", "desc", "src", "link", "number", "type", "trkseg"],
-    "trkseg": ["trkpt"],
-    "rtept": ["ele", "time", "magvar", "geoidheight", "name", "cmt", "desc", "src", "link", "sym", "type"],
-    "trkpt": ["ele", "time", "magvar", "geoidheight", "name", "cmt", "desc", "src", "link", "sym", "type"],
-    "bounds": [],
-}
-
-
-def plain(element: ET.Element) -> str:
-    return element.tag.partition("}")[2]
-
 
 def renamed(passage: Passage, name: str) -> Passage:
     start: Place = dataclasses.replace(passage.start, name=name)
     return dataclasses.replace(passage, start=start)
-
-
-# ------------------------------------------------------------------------------------------------ GPX
-
-
-def test_gpx_has_the_shape_that_the_schema_demands(passage: Passage) -> None:
-    root = ET.fromstring(gpx.gpx(passage))
-    assert root.tag == f"{{{gpx.NAMESPACE}}}gpx"
-    assert root.get("version") == "1.1"
-    assert (root.get("creator") or "").startswith("SeaCruise ")
-    for element in root.iter():
-        name = plain(element)
-        if name not in GPX_ORDER:
-            assert not list(element), f"{name} holds text only"
-            continue
-        places = [GPX_ORDER[name].index(plain(child)) for child in element]
-        assert places == sorted(places), f"children of {name} are out of order"
-        if name in {"rtept", "trkpt"}:
-            assert -90 <= float(element.attrib["lat"]) <= 90
-            assert -180 <= float(element.attrib["lon"]) < 180
-
-
-def test_gpx_route_is_the_waypoints(passage: Passage) -> None:
-    points = ET.fromstring(gpx.gpx(passage)).findall("g:rte/g:rtept", GPX)
-    assert len(points) == len(passage.waypoints)
-    for point, waypoint in zip(points, passage.waypoints, strict=True):
-        assert float(point.attrib["lat"]) == pytest.approx(waypoint.lat, abs=1e-6)
-        assert float(point.attrib["lon"]) == pytest.approx(waypoint.lon, abs=1e-6)
-    names = [point.findtext("g:name", namespaces=GPX) for point in points]
-    assert names[:2] == ["Gdynia", "WP01"]
-    assert names[-1] == "Sandhamn"
-    assert "steer 057° for 13.3 nm" in (points[0].findtext("g:desc", namespaces=GPX) or "")
-
-
-def test_gpx_track_has_rising_times(passage: Passage) -> None:
-    points = ET.fromstring(gpx.gpx(passage)).findall("g:trk/g:trkseg/g:trkpt", GPX)
-    times = [datetime.fromisoformat(p.findtext("g:time", namespaces=GPX) or "") for p in points]
-    assert len(points) == len(passage.track.time)
-    assert times == sorted(times)
-    assert times[0] == passage.departure
-    assert abs((times[-1] - passage.arrival).total_seconds()) <= 0.5
-
-
-def test_gpx_says_that_it_is_no_chart(passage: Passage) -> None:
-    assert "not for navigation" in gpx.gpx(passage).decode()
 
 
 @pytest.mark.parametrize("name", ["Świnoujście", "A & B <c>", 'say "hi"', "bell\x07 and \ud800"])
@@ -98,6 +42,10 @@ def test_xml_holds_any_name(passage: Passage, name: str) -> None:
 
 
 # ------------------------------------------------------------------------------------- KML and GeoJSON
+
+
+def test_kml_keeps_to_the_schema(passage: Passage) -> None:
+    assert faults(kml.kml(passage), kml.NAMESPACE, KML_SCHEMA) == []
 
 
 def test_kml_line_is_the_track_and_points_are_the_waypoints(passage: Passage) -> None:
@@ -123,11 +71,43 @@ def test_geojson_is_longitude_first_and_complete(passage: Passage) -> None:
     assert south <= 54.528 <= north
 
 
+def test_geojson_is_cut_at_the_date_line(passage: Passage) -> None:
+    """RFC 7946, 3.1.9 and 5.2: no line jumps around the world, and the box then has west > east."""
+    data: dict[str, Any] = json.loads(json.dumps(geojson.geojson(moved_east(passage, 161.6))))
+    line, *points = data["features"]
+    assert line["geometry"]["type"] == "MultiLineString"
+    pieces = line["geometry"]["coordinates"]
+    assert len(pieces) == 3
+    for here, there in pairwise(pieces):
+        assert {here[-1][0], there[0][0]} == {180.0, -180.0}
+        assert here[-1][1] == there[0][1]
+    for piece in pieces:
+        assert max(lon for lon, _ in piece) - min(lon for lon, _ in piece) < 10.0
+    assert all(-180.0 <= p["geometry"]["coordinates"][0] < 180.0 for p in points)
+    west, _, east, _ = data["bbox"]
+    assert east < -170.0 < 170.0 < west
+
+
+@pytest.mark.parametrize(
+    ("lon", "folded"),
+    [
+        (180.0, -180.0),
+        (-180.0, -180.0),
+        (179.9999999, -180.0),
+        (181.5, -178.5),
+        (-190.0, 170.0),
+        (18.5, 18.5),
+    ],
+)
+def test_longitudes_are_folded_to_what_the_formats_take(lon: float, folded: float) -> None:
+    assert xmlform.folded(lon) == pytest.approx(folded, abs=1e-9)
+
+
 # ------------------------------------------------------------------------------------------------ CSV
 
 
 def test_csv_reads_back_to_the_legs(passage: Passage) -> None:
-    rows = list(csv.DictReader(io.StringIO(csvform.legs_csv(passage))))
+    rows = list(csv.DictReader(io.StringIO(csvform.legs_csv(passage), newline="")))
     assert len(rows) == len(passage.waypoints)
     for row, waypoint in zip(rows[:-1], passage.waypoints[:-1], strict=True):
         assert float(row["leg_nm"]) == pytest.approx(waypoint.leg_nm, abs=0.005)
@@ -135,6 +115,23 @@ def test_csv_reads_back_to_the_legs(passage: Passage) -> None:
         assert row["tack"] == (waypoint.tack or "")
         assert row["motor"] == ("yes" if waypoint.motor else "no")
     assert rows[-1]["course_deg"] == rows[-1]["motor"] == ""
+
+
+def test_csv_is_that_of_rfc_4180_in_any_language(passage: Passage) -> None:
+    """CR LF after every record (2.1, 2.2), as many fields in each (2.4), points for decimals."""
+    sail = 'genoa, "heavy"'
+    first, *more = passage.waypoints
+    told = dataclasses.replace(
+        first, sail=sail, sog_kn=7.25, steer_deg=50.0, current_kn=0.4, current_to_deg=9.0
+    )
+    data = csvform.legs_csv(dataclasses.replace(passage, waypoints=(told, *more)))
+    assert data.endswith("\r\n")
+    assert data.count("\r\n") == data.count("\n") == data.count("\r") == len(passage.waypoints) + 1
+    records = list(csv.reader(io.StringIO(data, newline=""), strict=True))
+    assert {len(record) for record in records} == {len(csvform.COLUMNS)}
+    assert records[1][-5:] == ["7.25", "50.0", "0.40", "9.0", sail]
+    assert re.fullmatch(r"-?\d+\.\d{6}", records[1][2])
+    assert '"genoa, ""heavy"""' in data
 
 
 # ----------------------------------------------------------------------------------------------- text
@@ -196,7 +193,7 @@ def test_writers_write_what_they_return(passage: Passage, tmp_path: Path) -> Non
     geojson.write_geojson(passage, tmp_path / "a.geojson")
     assert (tmp_path / "a.gpx").read_bytes() == gpx.gpx(passage)
     assert (tmp_path / "a.kml").read_bytes() == kml.kml(passage)
-    assert (tmp_path / "a.csv").read_text(encoding="utf-8") == csvform.legs_csv(passage)
+    assert (tmp_path / "a.csv").read_bytes() == csvform.legs_csv(passage).encode()
     assert json.loads((tmp_path / "a.geojson").read_text(encoding="utf-8")) == geojson.geojson(passage)
     assert len(list(tmp_path.iterdir())) == 4
 

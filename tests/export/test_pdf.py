@@ -15,8 +15,9 @@ import pytest
 
 from seacruise import cli
 from seacruise.errors import InputError
-from seacruise.export.meteogram import along_track
-from seacruise.export.pdf import HEIGHT_IN, NOT_A_CHART, WIDTH_IN, pages, pdf, write_pdf
+from seacruise.export.paper import HEIGHT_IN, WIDTH_IN
+from seacruise.export.pdf import NOT_A_CHART, pages, pdf, write_pdf
+from seacruise.narrative import tell
 from seacruise.passage import Passage, Waypoint
 from tests.passages import veering_wind
 
@@ -140,6 +141,87 @@ def test_each_page_says_that_it_is_no_chart_and_where_the_wind_is_from(passage: 
         assert any("OpenStreetMap" in text for text in written(page))
 
 
+def test_the_log_stands_below_the_legs(passage: Passage) -> None:
+    from seacruise.export.logform import say
+
+    second = written(pages(passage, wind=veering_wind())[1])
+    entries = tell(passage, wind=veering_wind())
+    assert "Log (UTC)" in second
+    assert [say(entry.phrase) for entry in entries if say(entry.phrase) not in second] == []
+    assert second.index("Legs") < second.index("Log (UTC)")
+
+
+@pytest.mark.parametrize("count", [8, 12, 20, 26])
+def test_an_ordinary_passage_has_two_pages_with_all_its_legs(passage: Passage, count: int) -> None:
+    """A long log is shortened then, and says by how much; departure and arrival always stand there."""
+    one = with_legs(passage, count)
+    book = pages(one, wind=veering_wind())
+    assert len(book) == 2
+    assert len(legs_of(book)) == count + 1
+    second = written(book[1])
+    told = [text for text in second if re.fullmatch(r"\w{3} \d\d:\d\d", text)]
+    entries = tell(one, wind=veering_wind())
+    left_out = [int(m[1]) for text in second if (m := re.match(r"\(and (\d+) smaller changes", text))]
+    assert len(told) + sum(left_out) == len(entries)
+    assert bool(left_out) == (len(told) < len(entries))
+    assert any(text.startswith("Leaves Gdynia") for text in second)
+    assert any(text.startswith("Arrives in Sandhamn") for text in second)
+
+
+def test_more_legs_than_a_page_holds_go_on_and_the_log_is_whole(passage: Passage) -> None:
+    one = with_legs(passage, 70)
+    book = pages(one, wind=veering_wind())
+    assert len(book) > 2
+    assert len(legs_of(book)) == 71
+    said = [text for page in book for text in written(page)]
+    assert "Legs (continued)" in said
+    assert not any("smaller changes" in text for text in said)
+    told = [text for text in said if re.fullmatch(r"\w{3} \d\d:\d\d", text)]
+    assert len(told) == len(tell(one, wind=veering_wind()))
+
+
+@pytest.mark.parametrize(
+    ("issued", "text"),
+    [
+        (None, "! When this wind was issued is not known."),
+        (
+            datetime(2016, 11, 20, 0, tzinfo=UTC),
+            "! The wind is of Sun 20 Nov 2016 00:00 UTC, 6 h before departure.",
+        ),
+        (datetime(2016, 11, 20, 9, tzinfo=UTC), "! The wind is of Sun 20 Nov 2016 09:00 UTC."),
+    ],
+)
+def test_how_old_the_wind_is_is_said(passage: Passage, issued: datetime | None, text: str) -> None:
+    one = replace(passage, forecast=replace(passage.forecast, issued=issued))
+    assert text in written(pages(one)[0])
+
+
+def test_what_a_passage_fails_is_said_in_capitals(passage: Passage) -> None:
+    assert "clear of land, within limits" in written(pages(passage)[0])
+    checks = replace(passage.checks, land_free=False, within_limits=False)
+    assert "CROSSES LAND, BEYOND A LIMIT" in written(pages(replace(passage, checks=checks))[0])
+
+
+def test_without_colours_it_says_the_same(passage: Passage) -> None:
+    """Engine, night, wind angle and what nobody forecast have a sign of their own besides the colour."""
+    book = pages(passage, wind=veering_wind())
+    chart, weather = book[0].axes[0], book[1].axes
+    dashed = [line for line in chart.lines if line.is_dashed()]
+    assert [line.get_label() for line in dashed] == ["under engine"]
+    assert "engine" in [text.get_text() for text in weather[1].texts]
+    angle = next(axes for axes in weather if axes.get_ylabel() == "Wind angle [°]")
+    assert [line.get_linestyle() for line in angle.lines] == [":"]
+    assert any(patch.get_hatch() for patch in weather[0].patches)
+
+
+@pytest.mark.parametrize("name", ["Świnoujście", "Öregrund", "Liepāja", "Kāty Rybackie", "Pärnu", "Šventoji"])
+def test_letters_of_the_baltic_are_embedded(passage: Passage, name: str) -> None:
+    """Nothing missing in the font (matplotlib warns, which fails), and the font in the file."""
+    data = pdf(replace(passage, start=replace(passage.start, name=name)))
+    assert data.count(b"/FontFile2") >= 2
+    assert b"/Subtype /Type3" not in data
+
+
 def test_it_is_a_pdf_of_that_many_pages_and_the_same_each_time(passage: Passage) -> None:
     data = pdf(passage, wind=veering_wind())
     assert data.startswith(b"%PDF-1.")
@@ -159,22 +241,16 @@ def test_letters_are_text_and_not_pictures(passage: Passage) -> None:
     assert any(b"beginbfrange" in s and b"015a" in s.lower() for s in streams)
 
 
-def test_gusts_and_waves_are_those_along_the_way(passage: Passage) -> None:
+def test_gusts_and_waves_are_drawn_where_they_are_known(passage: Passage) -> None:
     wind = veering_wind()
     tws = np.hypot(wind.u, wind.v)
     gusty = replace(wind, gust=(tws * 1.5).astype(np.float32), wave=np.full_like(tws, 1.75))
-    gust, wave = along_track(passage.track, gusty)
-    assert gust is not None
-    assert wave is not None
-    # Speeds between grid points are no less than those of the mean vector.
-    assert (gust >= 1.5 * passage.track.tws_kn * 0.98).all()
-    assert (gust <= 1.5 * passage.track.tws_kn * 1.1).all()
-    assert wave == pytest.approx(np.full(wave.size, 1.75))
-    assert along_track(passage.track, wind) == (None, None)
-    assert along_track(passage.track, None) == (None, None)
-    drawn = [axes.get_ylabel() for axes in pages(passage, wind=gusty)[1].axes]
-    assert "Waves [m]" in drawn
-    assert "Waves [m]" not in [axes.get_ylabel() for axes in pages(passage, wind=wind)[1].axes]
+    drawn = pages(passage, wind=gusty)[1].axes
+    assert "Waves [m]" in [axes.get_ylabel() for axes in drawn]
+    assert " gusts" in [text.get_text() for text in drawn[0].texts]
+    plain = pages(passage, wind=wind)[1].axes
+    assert "Waves [m]" not in [axes.get_ylabel() for axes in plain]
+    assert " gusts" not in [text.get_text() for text in plain[0].texts]
 
 
 def test_what_is_beyond_the_forecast_is_hatched(passage: Passage) -> None:
