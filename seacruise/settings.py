@@ -25,7 +25,7 @@ def typed_path(text: str) -> Path:
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    """Folders, service addresses and the Storm Glass key.
+    """Folders, service addresses, the Storm Glass key and whom a service may write to.
 
     Attributes
     ----------
@@ -35,6 +35,8 @@ class Settings:
         Things that are the sailor's: ``seacruise.sqlite``, ``polars/``, ``layers/``.
     stormglass_key
         The bare key, or ``None``; excluded from ``repr`` so that no log can show it.
+    contact
+        E-mail address or site of who asks, or empty; told to MET Norway alone, which wants it.
     keys
         Where a key may be kept besides; only asked by `with_key`.
     """
@@ -45,6 +47,7 @@ class Settings:
     openmeteo_url: str = OPENMETEO_URL
     metno_url: str = METNO_URL
     stormglass_key: str | None = None
+    contact: str = ""
     keys: KeyChain | None = field(default=None, compare=False)
 
     def __repr__(self) -> str:
@@ -76,7 +79,7 @@ class Settings:
 
     @classmethod
     def from_environment(cls, environ: Mapping[str, str] | None = None) -> Settings:
-        """Read ``SEACRUISE_HOME``, ``SEACRUISE_*_URL`` and ``STORMGLASS_API_KEY``."""
+        """Read ``SEACRUISE_HOME``, ``SEACRUISE_*_URL``, ``SEACRUISE_CONTACT`` and ``STORMGLASS_API_KEY``."""
         env = os.environ if environ is None else environ
         if home := env.get("SEACRUISE_HOME", "").strip():
             root = typed_path(home)
@@ -93,5 +96,6 @@ class Settings:
             openmeteo_url=env.get("SEACRUISE_OPENMETEO_URL", OPENMETEO_URL).rstrip("/"),
             metno_url=env.get("SEACRUISE_METNO_URL", METNO_URL).rstrip("/"),
             stormglass_key=env.get("STORMGLASS_API_KEY", "").strip() or None,
+            contact=env.get("SEACRUISE_CONTACT", "").strip(),
             keys=KeyChain(),
         )

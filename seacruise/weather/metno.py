@@ -43,8 +43,9 @@ from seacruise.weather.wind import MAX_SPEED, Forecast, Wind, describe_grid, fro
 SERVICE: Final = "MET Norway"
 TERMS: Final = "Weather data by MET Norway (CC BY 4.0)."
 DEPRECATED: Final = "MET Norway will soon end this version of its service; look for a newer SeaCruise."
-USER_AGENT: Final = f"{program_name()} (passage planner for cruising under sail)"
-"""Who asks; the service blocks programs that do not say."""
+ABOUT: Final = "passage planner for cruising under sail"
+LONGEST_CONTACT: Final = 100
+"""Letters of a contact that are sent."""
 
 HORIZON: Final = timedelta(days=9)
 """How far the service looks ahead, at least."""
@@ -136,6 +137,19 @@ _UNITS: Final = {
 }
 
 
+def user_agent(contact: str) -> str:
+    """Say who asks; the service blocks programs that do not.
+
+    Its terms want the name of the program, and an e-mail address or a site "where we can find contact
+    information. If we cannot contact you in case of problems, you risk being blocked without warning"
+    (https://api.met.no/doc/TermsOfService, Identification). SeaCruise has no site of its own, so that it is
+    the contact of who runs it; see `seacruise.settings.Settings`.
+    """
+    # parentheses enclose a comment (RFC 9110, 5.6.5); what is no ASCII may not be in a header
+    fit = re.sub(r"[^ -~]|[()\\]", "", contact)[:LONGEST_CONTACT].strip()
+    return f"{program_name()} ({ABOUT}{f'; contact {fit}' if fit else ''})"
+
+
 def horizon_of(now: datetime) -> tuple[datetime, datetime]:
     """First and last time that MET Norway answers for: this hour and nine days on."""
     hour = now.astimezone(UTC).replace(minute=0, second=0, microsecond=0)
@@ -220,6 +234,7 @@ class MetNo:
     def __init__(self, settings: Settings, config: MetNoConfig | None = None) -> None:
         self.config = config or MetNoConfig()
         self._url = settings.metno_url + _PATH
+        self._agent = user_agent(settings.contact)
         self._shelf = Shelf(settings.database)
         self._turn = threading.Lock()
         self._next = 0.0
@@ -334,7 +349,7 @@ class MetNo:
                 return before.series
             return to_series(body, (lat, lon), now.timestamp())
 
-        headers = {"User-Agent": USER_AGENT}
+        headers = {"User-Agent": self._agent}
         if before is not None and before.series.stamp:
             # the very text of the answer's own header: the service compares strings
             headers["If-Modified-Since"] = before.series.stamp

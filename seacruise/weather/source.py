@@ -11,7 +11,7 @@ from typing import Final
 from seacruise.errors import InputError, WeatherError
 from seacruise.progress import Job
 from seacruise.settings import Settings
-from seacruise.weather.blend import blend, shares
+from seacruise.weather.blend import shares
 from seacruise.weather.cache import Memory, Quota
 from seacruise.weather.currents import with_current
 from seacruise.weather.grids import Place, passage_box
@@ -19,6 +19,7 @@ from seacruise.weather.isolated import read_current_isolated, read_isolated
 from seacruise.weather.points import IsWater
 from seacruise.weather.practice import practice_wind
 from seacruise.weather.sample import VALID_FROM, VALID_TO, sample_wind
+from seacruise.weather.several import mean_of
 from seacruise.weather.wind import Wind, require_cover
 
 SERVICE_MARGIN_DEG: Final = 0.75
@@ -68,8 +69,9 @@ def fetch_wind(
     Parameters
     ----------
     names
-        One of `NAMES`, or services and paths of files, the mean of which is taken. ``"auto"`` is Storm
-        Glass with a key, else Open-Meteo, else practice weather; it is reported which, and why.
+        One of `NAMES`, or services and paths of files, the mean of which is taken, without the services
+        that fail. ``"auto"`` is Storm Glass with a key, else Open-Meteo, else practice weather; it is
+        reported which, and why.
     start, end
         Latitude and longitude [degrees]; the wind must cover both.
     departure
@@ -102,11 +104,12 @@ def fetch_wind(
     shares(len(kinds), weights)
     around = (start, end) if margin_deg is None else ()
     water = None if current is None else read_current_isolated(current, around=around, job=job)
-    winds = []
-    for name, kind in zip(names, kinds, strict=True):
+
+    def get(name: str) -> Wind:
         job.check()
-        winds.append(_fetch(kind, name, ask))
-    wind = blend(winds, weights)
+        return _fetch(_kind(name.lower()), name, ask)
+
+    wind = mean_of(names, get, weights=weights, say=lambda text: job.report("wind", None, text))
     require_cover(wind.forecast.source, (wind.lat, wind.lon), (start, end))
     return wind if water is None else with_current(wind, water)
 
@@ -278,7 +281,7 @@ def weather_info(settings: Settings, now: datetime | None = None) -> WeatherInfo
         SourceInfo(
             "open-meteo-ensemble", True, "no key needed; ten days, 51 members of ECMWF", openmeteo.TERMS
         ),
-        SourceInfo("metno", True, "no key needed; nine days of wind and gusts", metno.TERMS),
+        SourceInfo("metno", True, _metno_remark(settings), metno.TERMS),
         SourceInfo("practice", True, "a generated week from today; not a forecast"),
         SourceInfo("sample", True, f"real analyses, {VALID_FROM:%d %b %Y} to {VALID_TO:%d %b %Y}"),
         SourceInfo("file", True, "GRIB 1, GRIB 2 or CF NetCDF"),
@@ -300,6 +303,14 @@ def _stormglass_info(settings: Settings, memory: Memory, now: datetime) -> tuple
     most = StormGlassConfig().places(quota)
     remark = f"{quota.left} of {quota.daily} requests left today, {told}; a passage takes up to {most}"
     return SourceInfo("stormglass", True, remark), quota
+
+
+def _metno_remark(settings: Settings) -> str:
+    remark = "no key needed; nine days of wind and gusts"
+    if settings.contact:
+        return remark
+    # its terms of service: without a way to reach those who ask "you risk being blocked without warning"
+    return f"{remark}; it wants a contact of those who ask: set SEACRUISE_CONTACT to your e-mail or site"
 
 
 def _kind(name: str) -> str:

@@ -7,6 +7,7 @@ import threading
 import time
 from dataclasses import replace
 from datetime import UTC, datetime, timedelta
+from pathlib import Path
 from typing import Any
 
 import msgspec
@@ -19,22 +20,29 @@ import seacruise
 from seacruise.errors import CancelledError, NoPassageError, WeatherError
 from seacruise.progress import Job
 from seacruise.settings import Settings
-from seacruise.weather.http import Limits
-from seacruise.weather.metno import MetNo, MetNoConfig, horizon_of, to_series, truncated
+from seacruise.weather.metno import MetNo, MetNoConfig, horizon_of, to_series, truncated, user_agent
+from seacruise.weather.source import weather_info
 from seacruise.weather.wind import Wind, from_direction
 from tests.faultserver import FaultServer
+from tests.weather.failures import (
+    BAD_JSON,
+    BOX,
+    BROKEN,
+    LATE,
+    LATER,
+    NOW,
+    SHORT,
+    behaviours,
+    each,
+    fails,
+    old_answers_serve,
+    on_the_way,
+)
 from tests.weather.weatherserver import EXPIRES, LAST_MODIFIED, MET_NORWAY, met_norway, wind_at
 
-NOW = datetime(2026, 11, 21, 9, 30, tzinfo=UTC)
 HOUR = datetime(2026, 11, 21, 9, tzinfo=UTC)
-BOX = (54.0, 17.0, 56.0, 19.0)
-SHORT = Limits(connect_s=2.0, read_s=0.3, total_s=0.8, tries=2, backoff_s=0.01, retry_after_s=0.2)
 CONFIG = MetNoConfig(limits=SHORT, batch_s=5.0, max_points=4, pace_s=0.0)
-
-# A slow machine must not turn a late answer into a timeout where the case is another one.
 PATIENT = replace(CONFIG, limits=replace(SHORT, read_s=20.0, total_s=20.0), batch_s=40.0)
-LATE = {"timeout", "drip", "drip-head"}
-LATER = NOW + timedelta(hours=7)
 
 
 def ask(
@@ -51,41 +59,9 @@ def ask(
 
 # --- what goes wrong ------------------------------------------------------------------------------
 
-BROKEN = "trouble of its own"
-BAD_JSON = "incomplete or not JSON"
-CUT = "broke off"
 SHAPE = "another shape"
 FAILURES = [
-    ("A", "404", "bad-response", "HTTP 404"),
-    ("A", "407", "no-network", "proxy"),
-    ("A", "410", "bad-response", "HTTP 410"),
-    ("A", "429", "quota", "asked too often"),
-    ("A", "429-seconds", "quota", "asked too often"),
-    ("A", "429-date", "quota", "asked too often"),
-    ("A", "429-day", "quota", "asked too often"),
-    ("A", "429-nonsense", "quota", "asked too often"),
-    ("A", "500", "bad-response", BROKEN),
-    ("A", "502", "bad-response", BROKEN),
-    ("A", "503", "bad-response", BROKEN),
-    ("A", "timeout", "timeout", "did not answer within"),
-    ("A", "drip", "timeout", "did not answer within"),
-    ("A", "drip-head", "timeout", "did not answer within"),
-    ("A", "reset", "bad-response", CUT),
-    ("A", "hang-up", "bad-response", CUT),
-    ("A", "reset-body", "bad-response", CUT),
-    ("A", "truncated", "bad-response", CUT),
-    ("A", "chunked-short", "bad-response", CUT),
-    ("A", "not-http", "bad-response", CUT),
-    ("A", "garbage", "bad-response", BAD_JSON),
-    ("A", "gzip-corrupt", "bad-response", CUT),
-    ("A", "gzip-short", "bad-response", "."),
-    ("A", "gzip-bomb", "bad-response", "more than 5 MB"),
-    ("A", "big", "bad-response", "more than 5 MB"),
-    ("A", "empty", "bad-response", BAD_JSON),
-    ("A", "204", "bad-response", "HTTP 204"),
-    ("A", "redirect", "bad-response", "not followed"),
-    ("A", "redirect-away", "bad-response", "not followed"),
-    ("A", "redirect-loop", "bad-response", "not followed"),
+    *on_the_way("asked too often"),
     ("C", "400", "bad-response", "no forecast for a place"),
     ("C", "401", "bad-response", "HTTP 401"),
     ("C", "403", "bad-response", "refuses this program"),
@@ -117,33 +93,23 @@ FAILURES = [
 ]
 
 
-@pytest.mark.parametrize(
-    ("behaviour", "reason", "words"),
-    [case[1:] for case in FAILURES],
-    ids=[f"{case[0]}-{case[1]}" for case in FAILURES],
-)
+@each("behaviour reason words", FAILURES)
 def test_fault(settings: Settings, behaviour: str, reason: str, words: str) -> None:
     config = CONFIG if behaviour in LATE else PATIENT
-    with met_norway(behaviour, now=NOW) as server, pytest.raises(WeatherError, match=words) as caught:
-        ask(settings, server, config=config)
-    sentence = str(caught.value)
-    assert caught.value.reason == reason
-    assert caught.value.exit_code == 4
-    assert sentence.endswith(".")
-    assert sentence.isprintable()
-    assert len(sentence) < 250
+    server = met_norway(behaviour, now=NOW)
+    sentence = fails(server, lambda one: ask(settings, one, config=config), reason, words)
     # each place was tried at most as often as the limits allow, and redirects not at all
     assert len(server.requests) <= 4 * SHORT.tries
     assert {request.path for request in server.requests} == {"/weatherapi/locationforecast/2.0/complete"}
 
-    # what was there before is still there, and of use
-    with met_norway(now=NOW) as server:
-        before = ask(settings, server)
-    with met_norway(behaviour, now=NOW) as server:
-        after = ask(settings, server, config=config, now=LATER)
-    assert "Some of the wind is from an answer 7 h old." in after.forecast.notice
-    assert sentence in after.forecast.notice
-    np.testing.assert_array_equal(before.u, after.u)
+    notice = old_answers_serve(
+        met_norway(now=NOW),
+        met_norway(behaviour, now=NOW),
+        before=lambda one: ask(settings, one),
+        after=lambda one: ask(settings, one, config=config, now=LATER),
+    )
+    assert "Some of the wind is from an answer 7 h old." in notice
+    assert sentence in notice
 
 
 SOUND = [
@@ -170,11 +136,7 @@ SOUND = [
 ]
 
 
-@pytest.mark.parametrize(
-    ("behaviour", "notice"),
-    [case[1:] for case in SOUND],
-    ids=[f"{case[0]}-{case[1]}" for case in SOUND],
-)
+@each("behaviour notice", SOUND)
 def test_odd_but_sound(settings: Settings, behaviour: str, notice: str) -> None:
     with met_norway(behaviour, now=NOW) as server:
         wind = ask(settings, server)
@@ -195,8 +157,7 @@ def test_an_answer_that_says_unchanged_when_nothing_is_kept_is_none(settings: Se
 
 
 def test_every_behaviour_of_the_server_is_a_case() -> None:
-    cases = {case[1] for case in FAILURES} | {case[1] for case in SOUND} | {"304-at-once"}
-    assert cases == set(MET_NORWAY)
+    assert behaviours(FAILURES, SOUND) | {"304-at-once"} == set(MET_NORWAY)
 
 
 @pytest.mark.parametrize(
@@ -255,9 +216,38 @@ def test_the_service_is_told_who_asks(settings: Settings) -> None:
     with met_norway(now=NOW) as server:
         ask(settings, server)
     for request in server.requests:
-        assert request.headers["user-agent"].startswith(f"SeaCruise/{seacruise.__version__} (")
+        assert request.headers["user-agent"] == (
+            f"SeaCruise/{seacruise.__version__} (passage planner for cruising under sail)"
+        )
         assert "if-modified-since" not in request.headers
         assert all(re.fullmatch(r"-?\d+\.\d{4}", request.query[name]) for name in ("lat", "lon"))
+
+
+def test_the_service_is_told_whom_to_write_to(settings: Settings) -> None:
+    """Its terms: "include a company email address or a link to the company website"."""
+    settings = replace(settings, contact="skipper@boat.example")
+    with met_norway(now=NOW) as server:
+        ask(settings, server)
+    about = "passage planner for cruising under sail; contact skipper@boat.example"
+    agents = {request.headers["user-agent"] for request in server.requests}
+    assert agents == {f"SeaCruise/{seacruise.__version__} ({about})"}
+
+
+def test_the_contact_is_the_environment_s_and_its_absence_is_told(tmp_path: Path) -> None:
+    home = {"SEACRUISE_HOME": str(tmp_path)}
+    for contact, wanted in (("", True), (" me@boat.example ", False)):
+        settings = Settings.from_environment({**home, "SEACRUISE_CONTACT": contact})
+        assert settings.contact == contact.strip()
+        (remark,) = (one.remark for one in weather_info(settings, NOW).sources if one.name == "metno")
+        assert ("set SEACRUISE_CONTACT" in remark) == wanted
+
+
+@given(st.text(max_size=300))
+def test_any_contact_makes_a_header(contact: str) -> None:
+    agent = user_agent(contact)
+    assert re.fullmatch(r"SeaCruise/\S+ \([ -~]*\)", agent)
+    assert agent.count("(") == agent.count(")") == 1
+    assert len(agent) < 250
 
 
 @pytest.mark.parametrize(

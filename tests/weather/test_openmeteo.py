@@ -18,23 +18,30 @@ from hypothesis import strategies as st
 from seacruise.errors import CancelledError, NoPassageError, WeatherError
 from seacruise.progress import Job
 from seacruise.settings import OPENMETEO_URL, Settings
-from seacruise.weather.http import Limits
 from seacruise.weather.openmeteo import OpenMeteo, OpenMeteoConfig, horizon_of
 from seacruise.weather.openmeteo_answers import Asked, to_marine, to_members, to_wind
 from seacruise.weather.openmeteo_client import ENSEMBLE, FORECAST, MARINE
 from seacruise.weather.wind import Wind, from_direction
 from tests.faultserver import FaultServer
+from tests.weather.failures import (
+    BAD_JSON,
+    BOX,
+    BROKEN,
+    LATE,
+    LATER,
+    NOW,
+    SHORT,
+    behaviours,
+    each,
+    fails,
+    old_answers_serve,
+    on_the_way,
+)
 from tests.weather.weatherserver import MEMBERS, OPEN_METEO, open_meteo, wind_at
 
-NOW = datetime(2026, 11, 21, 9, 30, tzinfo=UTC)
 TODAY = datetime(2026, 11, 21, tzinfo=UTC)
-BOX = (54.0, 17.0, 56.0, 19.0)
-SHORT = Limits(connect_s=2.0, read_s=0.3, total_s=0.8, tries=2, backoff_s=0.01, retry_after_s=0.2)
 CONFIG = OpenMeteoConfig(limits=SHORT, batch_s=5.0, sea_s=0.8, max_points=6, max_ensemble_points=6)
-
-# A slow machine must not turn a late answer into a timeout where the case is another one.
 PATIENT = replace(CONFIG, limits=replace(SHORT, read_s=20.0, total_s=20.0), sea_s=20.0, batch_s=40.0)
-LATE = {"timeout", "drip", "drip-head"}
 
 
 @pytest.fixture(autouse=True)
@@ -60,43 +67,10 @@ def ask(
 
 # --- what goes wrong ------------------------------------------------------------------------------
 
-BROKEN = "trouble of its own"
-BAD_JSON = "incomplete or not JSON"
-CUT = "broke off"
-SHAPE = "another shape"
 NO_HOUR = "no wind speed with a direction"
 FAILURES = [
-    ("A", "404", "bad-response", "HTTP 404"),
-    ("A", "407", "no-network", "proxy"),
-    ("A", "410", "bad-response", "HTTP 410"),
-    ("A", "429", "quota", "in a minute"),
-    ("A", "429-seconds", "quota", "in a minute"),
-    ("A", "429-date", "quota", "in a minute"),
-    ("A", "429-day", "quota", "in a minute"),
-    ("A", "429-nonsense", "quota", "in a minute"),
-    ("A", "500", "bad-response", BROKEN),
-    ("A", "502", "bad-response", BROKEN),
-    ("A", "503", "bad-response", BROKEN),
+    *on_the_way("in a minute"),
     ("A", "503-reason", "bad-response", BROKEN),
-    ("A", "timeout", "timeout", "did not answer within"),
-    ("A", "drip", "timeout", "did not answer within"),
-    ("A", "drip-head", "timeout", "did not answer within"),
-    ("A", "reset", "bad-response", CUT),
-    ("A", "hang-up", "bad-response", CUT),
-    ("A", "reset-body", "bad-response", CUT),
-    ("A", "truncated", "bad-response", CUT),
-    ("A", "chunked-short", "bad-response", CUT),
-    ("A", "not-http", "bad-response", CUT),
-    ("A", "garbage", "bad-response", BAD_JSON),
-    ("A", "gzip-corrupt", "bad-response", CUT),
-    ("A", "gzip-short", "bad-response", "."),
-    ("A", "gzip-bomb", "bad-response", "more than 5 MB"),
-    ("A", "big", "bad-response", "more than 5 MB"),
-    ("A", "empty", "bad-response", BAD_JSON),
-    ("A", "204", "bad-response", "HTTP 204"),
-    ("A", "redirect", "bad-response", "not followed"),
-    ("A", "redirect-away", "bad-response", "not followed"),
-    ("A", "redirect-loop", "bad-response", "not followed"),
     ("C", "400", "bad-response", "Parameter 'start_date' is out of allowed range"),
     ("C", "400-no-data", "bad-response", "No data is available for this location"),
     ("C", "400-text", "bad-response", "it does not say why"),
@@ -139,33 +113,23 @@ FAILURES = [
 ]
 
 
-@pytest.mark.parametrize(
-    ("behaviour", "reason", "words"),
-    [case[1:] for case in FAILURES],
-    ids=[f"{case[0]}-{case[1]}" for case in FAILURES],
-)
+@each("behaviour reason words", FAILURES)
 def test_fault(settings: Settings, behaviour: str, reason: str, words: str) -> None:
     config = CONFIG if behaviour in LATE else PATIENT
-    with open_meteo(behaviour, today=TODAY) as server, pytest.raises(WeatherError, match=words) as caught:
-        ask(settings, server, config=config)
-    sentence = str(caught.value)
-    assert caught.value.reason == reason
-    assert caught.value.exit_code == 4
-    assert sentence.endswith(".")
-    assert sentence.isprintable()
-    assert len(sentence) < 250
+    server = open_meteo(behaviour, today=TODAY)
+    sentence = fails(server, lambda one: ask(settings, one, config=config), reason, words)
     # wind and sea were tried at most as often as the limits allow, and redirects not at all
     assert len(server.requests) <= SHORT.tries + 1
     assert {request.path for request in server.requests} <= {"/v1/forecast", "/v1/marine"}
 
-    # what was there before is still there, and of use
-    with open_meteo(today=TODAY) as server:
-        before = ask(settings, server)
-    with open_meteo(behaviour, today=TODAY) as server:
-        after = ask(settings, server, config=config, now=NOW + timedelta(hours=7))
-    assert "The wind is from an answer 7 h old." in after.forecast.notice or behaviour == "last-year"
-    assert sentence in after.forecast.notice or behaviour == "last-year"
-    np.testing.assert_array_equal(before.u, after.u)
+    notice = old_answers_serve(
+        open_meteo(today=TODAY),
+        open_meteo(behaviour, today=TODAY),
+        before=lambda one: ask(settings, one),
+        after=lambda one: ask(settings, one, config=config, now=LATER),
+    )
+    assert "The wind is from an answer 7 h old." in notice or behaviour == "last-year"
+    assert sentence in notice or behaviour == "last-year"
 
 
 SOUND = [
@@ -205,11 +169,7 @@ SOUND = [
 ]
 
 
-@pytest.mark.parametrize(
-    ("behaviour", "notice"),
-    [case[1:] for case in SOUND],
-    ids=[f"{case[0]}-{case[1]}" for case in SOUND],
-)
+@each("behaviour notice", SOUND)
 def test_odd_but_sound(settings: Settings, behaviour: str, notice: str) -> None:
     with open_meteo(behaviour, today=TODAY) as server:
         wind = ask(settings, server)
@@ -225,7 +185,7 @@ def test_odd_but_sound(settings: Settings, behaviour: str, notice: str) -> None:
 
 
 def test_every_behaviour_of_the_server_is_a_case() -> None:
-    assert {case[1] for case in FAILURES} | {case[1] for case in SOUND} == set(OPEN_METEO)
+    assert behaviours(FAILURES, SOUND) == set(OPEN_METEO)
 
 
 @pytest.mark.parametrize("first", ["503", "reset", "truncated", "stream-error", "gzip-corrupt"])
