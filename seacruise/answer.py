@@ -22,6 +22,7 @@ from seacruise.model import (
     Track,
     Waypoint,
 )
+from seacruise.sea.coast import covers
 from seacruise.units import METRES_PER_NM, MS_PER_KNOT, SECONDS_PER_HOUR
 from seacruise.yacht.sails import sail_at
 
@@ -164,6 +165,11 @@ class Answer:
                     f"The passage {verb} {place.snapped_nm:.1f} nm from {place.name}, at the nearest water "
                     "of the chart that is connected with the open sea."
                 )
+        if not covers(self.sailed.lat, self.sailed.lon).all():
+            said.append(
+                "Outside 9 to 31° E and 53 to 66° N the coast is known to 1 km only: islets are missing "
+                "there, keep well off every shore."
+            )
         if self.beyond_s > 60.0:
             fading = self.request.options.beyond == "fade"
             said.append(

@@ -15,6 +15,8 @@ if TYPE_CHECKING:
     import shapely
 
 UNITS_PER_DEGREE = 1_000_000
+WORLD_UNITS_PER_DEGREE = 500
+WORLD_NORTH, WORLD_RASTER_DEG = 84.0, 0.2
 
 FINE_SOUTH, FINE_WEST, FINE_NORTH, FINE_EAST = 53.0, 9.0, 66.0, 31.0
 """The rectangle that the fine coast covers [degrees]."""
@@ -100,5 +102,35 @@ def chart_land(level: int) -> list[list[Ring]]:
     with np.load(resource_path("assets/coast/chart.npz")) as data:
         coords = _ragged(data[f"deltas{level}"])
         rings, polygons = data[f"rings{level}"], data[f"polygons{level}"]
+    return _by_polygon(coords, rings, polygons)
+
+
+@lru_cache(maxsize=1)
+def world_land() -> list[list[Ring]]:
+    """Land of the whole world for drawing, to about 2 km and without islets, as `chart_land` gives it.
+
+    Made by ``tools/make_world_coast.py`` from the mask that `seacruise.sea.globe` reads: beyond the rectangle
+    of the fine coast the chart shows what routing knows there.
+    """
+    with np.load(resource_path("assets/coast/world.npz")) as data:
+        coords = np.cumsum(data["deltas"], axis=0, dtype=np.int64) / WORLD_UNITS_PER_DEGREE
+        return _by_polygon(coords, data["rings"], data["polygons"])
+
+
+@lru_cache(maxsize=1)
+def _world_raster() -> NDArray[np.bool_]:
+    with np.load(resource_path("assets/coast/world.npz")) as data:
+        return np.unpackbits(data["raster"], axis=1).astype(bool)
+
+
+def roughly_ashore(lat: NDArray[np.float64], lon: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """Tell which positions ``(n,)`` [degrees] anywhere are on land, to 0.2 degrees: for drawing only."""
+    raster = _world_raster()
+    row = np.floor((WORLD_NORTH - lat) / WORLD_RASTER_DEG).astype(np.int64).clip(0, raster.shape[0] - 1)
+    column = np.floor((lon + 180.0) / WORLD_RASTER_DEG).astype(np.int64) % raster.shape[1]
+    return np.asarray(raster[row, column])
+
+
+def _by_polygon(coords: Ring, rings: NDArray[np.int32], polygons: NDArray[np.int32]) -> list[list[Ring]]:
     shores = [coords[a:b] for a, b in pairwise(rings)]
     return [shores[a:b] for a, b in pairwise(polygons)]
