@@ -4,7 +4,7 @@
 BIN := .venv/bin
 export PYTHON
 
-.PHONY: help run demo test bench bundle clean distclean
+.PHONY: help run demo test bench bundle translations clean distclean
 .NOTPARALLEL:
 
 help:
@@ -13,6 +13,7 @@ help:
 	@echo "make test   ruff, mypy and all tests"
 	@echo "make bench  measure; prints JSON"
 	@echo "make bundle one folder for computers without Python: build/bundle/seacruise (docs/bundle.md)"
+	@echo "make translations  collect and compile the words of the window (docs/architecture.md, Languages)"
 	@echo "make clean  remove what was built; make distclean: .venv too"
 
 run:
@@ -47,6 +48,12 @@ bench:
 bundle:
 	@tools/setup.sh bundle
 	@$(BIN)/python tools/bundle/build.py
+
+translations:
+	@tools/setup.sh
+	@$(BIN)/python tools/translations.py update
+	@$(BIN)/python tools/translations.py release
+	@$(BIN)/python tools/translations.py check
 
 clean:
 	rm -rf build dist .mypy_cache .pytest_cache .ruff_cache .hypothesis .import_linter_cache

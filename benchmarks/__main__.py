@@ -26,6 +26,7 @@ SECTIONS: Final = {
     "legs": ("legs", "legs"),
     "logs": ("logs", "logs"),
     "window": ("window", "window"),
+    "soak": ("soak", "soak"),
 }
 
 

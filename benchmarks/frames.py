@@ -1,8 +1,8 @@
-"""Frames of the chart, and re-routing under a hand that drags; see `benchmarks.window`.
+"""Frames of the chart; see `benchmarks.window`.
 
 Prints one JSON object. A frame is the whole of drawing the chart once, to memory, with coast, barbs, colour
 field, isochrones, route and names; what moves it, and what the layers compute for it, is counted with it.
-Then the departure is dragged for two seconds, sixty times a second, while passages are really planned.
+`beside` is what the same thread does between two frames: pictures for the next ones are painted there.
 """
 
 from __future__ import annotations
@@ -72,11 +72,11 @@ def open_chart() -> MainWindow:
     return window
 
 
-Frame = tuple[float, float]
+Frame = tuple[float, float, float]
 
 
 def frames_of(window: MainWindow, frames: int, move: Callable[[int], None]) -> list[Frame]:
-    """Give the seconds of each frame, by the clock and of its thread's own.
+    """Give the seconds of each frame by the clock, of its thread's own, and of that thread until the next.
 
     Between two of them the window lives, as it does between a mouse's moves.
     """
@@ -85,49 +85,25 @@ def frames_of(window: MainWindow, frames: int, move: Callable[[int], None]) -> l
         begun, own = time.perf_counter(), time.thread_time()
         move(number)
         window.chart.view.viewport().repaint()
-        seconds.append((time.perf_counter() - begun, time.thread_time() - own))
+        took, own = time.perf_counter() - begun, time.thread_time() - own
+        beside = time.thread_time()
         QTimer.singleShot(8, loop.quit)
         loop.exec()
+        seconds.append((took, own, time.thread_time() - beside))
     return seconds
 
 
 def figures(frames: list[Frame]) -> Figures:
     """Median and worst of some frames [ms]; ``own`` is what is left when nobody else wants the machine."""
-    seconds, own = (sorted(column) for column in zip(*frames, strict=True))
+    seconds, own, beside = (sorted(column) for column in zip(*frames, strict=True))
     return {
         "median_ms": round(1e3 * statistics.median(seconds), 2),
         "p95_ms": round(1e3 * seconds[math.ceil(0.95 * len(seconds)) - 1], 2),
         "worst_ms": round(1e3 * seconds[-1], 2),
         "own_median_ms": round(1e3 * statistics.median(own), 2),
         "own_worst_ms": round(1e3 * own[-1], 2),
+        "beside_mean_ms": round(1e3 * statistics.fmean(beside), 2),
         "frames": len(frames),
-    }
-
-
-def drag(window: MainWindow, moves: int) -> Figures:
-    """Drag the departure: how often another passage is shown, and how long none was when the hand rests."""
-    slider, router, loop = window.chart.time_bar.departure_slider, window.steering.router, QEventLoop()
-    shown: list[float] = []
-    gaps: list[float] = []
-    router.routed.connect(lambda _answer: shown.append(time.perf_counter()))
-    begun = last = time.perf_counter()
-    for number in range(moves):
-        slider.setValue(slider.value() + (1 if number % 60 < 30 else -1))
-        QTimer.singleShot(16, loop.quit)
-        loop.exec()
-        now = time.perf_counter()
-        gaps.append(now - last - 0.016)
-        last = now
-    moved, while_moving = time.perf_counter() - begun, len(shown)
-    slider.sliderReleased.emit()
-    rested = time.perf_counter()
-    wait(lambda: not router.is_busy)
-    return {
-        "moves": moves,
-        "passages_shown": while_moving,
-        "passages_per_s": round(while_moving / moved, 1),
-        "precise_after_rest_ms": round(1e3 * (shown[-1] - rested), 1),
-        "latest_event_ms": round(1e3 * max(gaps), 1),
     }
 
 
@@ -155,7 +131,6 @@ def main(frames: int) -> int:
     seconds = {name: frames_of(window, frames, move) for name, move in scripts.items()}
     report: Figures = {name: figures(times) for name, times in seconds.items()}
     report["all"] = figures([one for times in seconds.values() for one in times])
-    report["drag"] = drag(window, frames)
     print(json.dumps(report), flush=True)
     window.close()
     return 0

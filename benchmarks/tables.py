@@ -263,7 +263,38 @@ def _window(section: Figures) -> str:
     return (
         f"### Window\n\nFirst frame of a cold process ({section['platform']}): median "
         f"{section['first_frame_median_s']} s, least {section['first_frame_min_s']} s of {section['runs']}, "
-        f"peak {section['peak_mb']} MB; budget {_kept(section)}."
+        f"peak {section['peak_mb']} MB; budget {_kept(section)}." + _chart(section) + _drag(section)
+    )
+
+
+def _chart(section: Figures) -> str:
+    rows = [
+        (_words(name), _facts(case))
+        for name, case in section.get("chart_1920x1080", {}).items()
+        if isinstance(case, dict) and "p95_ms" in case
+    ]
+    return "\n\n" + table(("frames of the chart, 1920x1080", "figures"), rows) if rows else ""
+
+
+def _drag(section: Figures) -> str:
+    rows = [
+        (passage, _words(what), _facts(case))
+        for passage, cases in section.get("drag", {}).items()
+        if isinstance(cases, dict)
+        for what, case in cases.items()
+    ]
+    return "\n\n" + table(("passage", "dragged", "from move to route painted"), rows) if rows else ""
+
+
+def _soak(section: Figures) -> str:
+    if "outcome" in section:
+        return f"### Long use\n\n{section['outcome']}"
+    told = {key: value for key, value in section.items() if not isinstance(value, (dict, list))}
+    most, worst = section["most"], section["worst"]
+    return (
+        f"### Long use\n\nResident memory at most {most['rss_mb']} MB, budget {_kept(most)}; the window was "
+        f"held up for {worst['blocked_ms']} ms of its own time at most (while: {worst['while']}), budget "
+        f"{_kept(worst)}; {_facts(told)}."
     )
 
 
@@ -277,6 +308,7 @@ PARTS: Final = {
     "legs": _legs,
     "logs": _logs,
     "window": _window,
+    "soak": _soak,
 }
 
 

@@ -46,6 +46,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         SeaCruise itself.
     """
     words = list(sys.argv[1:] if argv is None else argv) or ["window"]
+    _have_streams()
     _speak_utf8()
     if argv is None and words[0] != "window":
         # A process of its own that ends in a second or two: collecting garbage would cost a tenth of it.
@@ -136,6 +137,13 @@ def _own_error(error: Exception) -> SeaCruiseError:
     return SeaCruiseError(
         f"SeaCruise made a mistake of its own ({type(error).__name__}); {where}.", reason="internal"
     )
+
+
+def _have_streams() -> None:
+    """Write into nothing where there is no console: a program of Windows' own kind has no streams at all."""
+    for name in ("stdout", "stderr"):
+        if getattr(sys, name) is None:
+            setattr(sys, name, open(os.devnull, "w", encoding="utf-8"))  # noqa: PTH123, SIM115 - until the end
 
 
 def _speak_utf8() -> None:

@@ -9,7 +9,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from datetime import UTC, datetime
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
@@ -33,6 +33,8 @@ from seacruise.units import METRES_PER_NM, SECONDS_PER_HOUR
 from seacruise.ways import cut_off, sail_alone, ways_out
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from seacruise.routing.reach import Explored, Isochrone, Outing
     from seacruise.sea import Sea
     from seacruise.weather.wind import Forecast, Wind
@@ -251,6 +253,48 @@ def margin_deg(start: Port, ports: Sequence[Port], within_nm: float) -> float:
     """Degrees of latitude from a start to the farthest of the ports that lie within a distance."""
     away = [float(great_circle_m(start.lat, start.lon, p.lat, p.lon)) / METRES_PER_NM for p in ports]
     return max((nm for nm in away if nm <= within_nm), default=0.0) / 60
+
+
+def fetch_wind_around(
+    start: Port,
+    yacht: Polar,
+    *,
+    options: Options,
+    hours: float,
+    ports: Sequence[Port],
+    names: Sequence[str],
+    departure: datetime | None,
+    settings: Settings,
+    job: Job,
+    weights: Sequence[float] | None = None,
+    current: Path | None = None,
+) -> Wind:
+    """Get the wind around a start, as far as the ports lie that she may reach within some hours.
+
+    See `seacruise.weather.source.fetch_wind`.
+    """
+    from seacruise.sea import Sea
+    from seacruise.weather.source import SERVICE_MARGIN_DEG, fetch_wind
+
+    margin = SERVICE_MARGIN_DEG + margin_deg(start, ports, farthest_nm(yacht, options, hours))
+
+    def is_water(lat: Any, lon: Any) -> Any:
+        sea = Sea.around((start.lat,), (start.lon,), margin_deg=margin, cache_dir=settings.cache_dir)
+        return sea.is_water(lat, lon)
+
+    here = (start.lat, start.lon)
+    return fetch_wind(
+        names,
+        start=here,
+        end=here,
+        departure=departure,
+        settings=settings,
+        job=job,
+        is_water=is_water,
+        margin_deg=margin,
+        weights=weights,
+        current=current,
+    )
 
 
 def _outing(request: ReachRequest, sea: Sea, start: Place, departure: datetime) -> Outing:

@@ -6,6 +6,7 @@ against the other.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from datetime import UTC, datetime, timedelta
 from itertools import pairwise
 
@@ -124,6 +125,13 @@ def _track(waypoints: tuple[Waypoint, ...], wind: Wind) -> Track:
         )
     time, lat, lon, course, speed, tws, twd, twa, motor, leg = np.concatenate(columns, axis=1)
     return Track(time, lat, lon, course, speed, tws, twd, twa, motor.astype(np.bool_), leg.astype(np.int64))
+
+
+def moved_east(passage: Passage, degrees: float) -> Passage:
+    """Sail the same farther east, on beyond 180 degrees where that lies in between."""
+    waypoints = tuple(replace(w, lon=w.lon + degrees) for w in passage.waypoints)
+    track = replace(passage.track, lon=passage.track.lon + degrees)
+    return replace(passage, waypoints=waypoints, track=track)
 
 
 def hand_made_passage() -> Passage:

@@ -443,7 +443,13 @@ def test_a_missing_system_library_is_named_with_its_package(monkeypatch: pytest.
         "on Debian or Ubuntu: apt-get install libxcb-cursor0."
     )
     monkeypatch.setattr(window, "_loads", lambda name: True)
+    monkeypatch.setattr(window, "_answers", lambda: True)
     assert window.qt_trouble() is None
+    monkeypatch.setattr(window, "_answers", lambda: False)
+    monkeypatch.setenv("DISPLAY", ":5")
+    assert window.qt_trouble() == (
+        "The window cannot open: the display ':5' does not answer; set DISPLAY to one that does."
+    )
 
 
 def test_a_library_that_qt_itself_misses_is_named(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from dataclasses import replace
 from datetime import UTC, datetime, timedelta
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 from typing import Any
 
@@ -19,7 +19,7 @@ from seacruise.export.reach_chart import reach_chart
 from seacruise.passage import Options, PassageRequest, plan
 from seacruise.ports import Port, find_port, load_ports
 from seacruise.progress import Job
-from seacruise.reach import PortReached, Reach, ReachRequest, check_notices, reach
+from seacruise.reach import PortReached, Reach, ReachRequest, check_notices, fetch_wind_around, reach
 from seacruise.resources import resource_path
 from seacruise.settings import Settings
 from seacruise.units import METRES_PER_NM, SECONDS_PER_HOUR
@@ -341,3 +341,41 @@ def test_what_cannot_be_answered_is_one_sentence(
     err = capsys.readouterr().err
     assert len([line for line in err.splitlines() if line.startswith("seacruise: ")]) == 1
     assert "Traceback" not in err
+
+
+# --------------------------------------------------------------------------------------- the wind for it
+
+
+def test_the_wind_is_asked_for_around_the_start_as_far_as_she_may_come(
+    monkeypatch: pytest.MonkeyPatch, sea_settings: Settings, tmp_path: Path
+) -> None:
+    asked_for: list[tuple[Any, dict[str, Any]]] = []
+
+    def fetch(names: Any, **how: Any) -> Any:
+        asked_for.append((names, how))
+        return sample_wind()
+
+    monkeypatch.setattr("seacruise.weather.source.fetch_wind", fetch)
+    ask = partial(
+        fetch_wind_around,
+        port("Gdynia"),
+        yacht(),
+        options=Options(),
+        names=("a.grib", "b.grib"),
+        departure=DEPARTURE,
+        settings=sea_settings,
+        job=Job(),
+        weights=(1.0, 2.0),
+        current=tmp_path / "current.nc",
+    )
+    ask(hours=6.0, ports=load_ports())
+    ask(hours=48.0, ports=load_ports())
+    ask(hours=48.0, ports=())
+    (names, how), (_, farther), (_, alone) = asked_for
+    assert names == ("a.grib", "b.grib")
+    gdynia = port("Gdynia")
+    assert how["start"] == how["end"] == (gdynia.lat, gdynia.lon)
+    assert (how["weights"], how["current"]) == ((1.0, 2.0), tmp_path / "current.nc")
+    assert alone["margin_deg"] < how["margin_deg"] < farther["margin_deg"]
+    assert bool(how["is_water"](54.6, 18.8))
+    assert not bool(how["is_water"](54.3, 18.0))

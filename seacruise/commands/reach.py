@@ -4,18 +4,9 @@ from __future__ import annotations
 
 import argparse
 from datetime import UTC, datetime
-from typing import TYPE_CHECKING, Any
 
 from seacruise.commands import request as ask
 from seacruise.commands.common import add_format, cancellable_job, number_between, parse_path, say
-
-if TYPE_CHECKING:
-    from seacruise.passage import Options
-    from seacruise.ports import Port
-    from seacruise.progress import Job
-    from seacruise.settings import Settings
-    from seacruise.weather.wind import Wind
-    from seacruise.yacht.polar import Polar
 
 FILES = {"geojson": "GeoJSON file", "chart": "chart"}
 
@@ -67,7 +58,7 @@ def run(arguments: argparse.Namespace) -> int:
     from seacruise.atomic import check_target
     from seacruise.export.reach import reach_to_json, reach_to_text, write_reach_geojson
     from seacruise.ports import find_port, load_ports
-    from seacruise.reach import ReachRequest, reach
+    from seacruise.reach import ReachRequest, fetch_wind_around, reach
     from seacruise.settings import Settings
 
     for name, what in FILES.items():
@@ -79,7 +70,19 @@ def run(arguments: argparse.Namespace) -> int:
     yacht = ask.find_yacht_named(arguments.yacht, settings)
     options = ask.options_from(arguments)
     with cancellable_job() as job:
-        wind = _fetch(arguments, start, yacht, options, settings=settings, job=job)
+        wind = fetch_wind_around(
+            start,
+            yacht,
+            options=options,
+            hours=arguments.hours,
+            ports=ports,
+            names=arguments.forecast or ["auto"],
+            departure=arguments.depart,
+            settings=settings,
+            job=job,
+            weights=arguments.weights,
+            current=arguments.current,
+        )
         asked = ReachRequest(
             start,
             yacht,
@@ -109,40 +112,3 @@ def run(arguments: argparse.Namespace) -> int:
         write_reach_chart(reached, arguments.chart)
         say(f"Wrote {arguments.chart}")
     return 0
-
-
-def _fetch(
-    arguments: argparse.Namespace,
-    start: Port,
-    yacht: Polar,
-    options: Options,
-    *,
-    settings: Settings,
-    job: Job,
-) -> Wind:
-    """Get the wind around the start, as far as the ports lie that she may reach."""
-    from seacruise.ports import load_ports
-    from seacruise.reach import farthest_nm, margin_deg
-    from seacruise.sea import Sea
-    from seacruise.weather.source import SERVICE_MARGIN_DEG, fetch_wind
-
-    most = farthest_nm(yacht, options, arguments.hours)
-    margin = SERVICE_MARGIN_DEG + margin_deg(start, load_ports(), most)
-
-    def is_water(lat: Any, lon: Any) -> Any:
-        sea = Sea.around((start.lat,), (start.lon,), margin_deg=margin, cache_dir=settings.cache_dir)
-        return sea.is_water(lat, lon)
-
-    here = (start.lat, start.lon)
-    return fetch_wind(
-        arguments.forecast or ["auto"],
-        start=here,
-        end=here,
-        departure=arguments.depart,
-        settings=settings,
-        job=job,
-        is_water=is_water,
-        margin_deg=margin,
-        weights=arguments.weights,
-        current=arguments.current,
-    )

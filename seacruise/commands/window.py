@@ -111,7 +111,7 @@ def choose_platform(environ: Any, *, picture_only: bool) -> None:
 
 
 def qt_trouble() -> str | None:
-    """Say which system library Qt misses, and its package, before Qt aborts the process; ``None`` if none."""
+    """Say what Qt misses, and where to get it, before Qt aborts the process; ``None`` if nothing."""
     try:
         import seacruise.desktop.app  # noqa: F401 - brings Qt, and with it the system's libraries
     except ImportError as error:
@@ -119,13 +119,37 @@ def qt_trouble() -> str | None:
         if match is None:
             raise
         return f"The window cannot open: {_missing([match.group(1)])}."
-    platform = os.environ.get("QT_QPA_PLATFORM", "")
+    platform = os.environ.get("QT_QPA_PLATFORM", "").partition(":")[0]
+    from seacruise.desktop.plugins import has_platform
+
+    if platform and ";" not in platform and not has_platform(platform):
+        return f"The window cannot open: Qt knows no platform {platform!r}; unset QT_QPA_PLATFORM."
     on_x11 = sys.platform.startswith("linux") and (
         platform == "xcb"
         or (not platform and os.environ.get("DISPLAY") and not os.environ.get("WAYLAND_DISPLAY"))
     )
     absent = [name for name in _FOR_X11 if not _loads(name)] if on_x11 else []
-    return f"The window cannot open: {_missing(absent)}." if absent else None
+    if absent:
+        return f"The window cannot open: {_missing(absent)}."
+    if on_x11 and not _answers():
+        return (
+            f"The window cannot open: the display {os.environ.get('DISPLAY', '')!r} does not answer; "
+            "set DISPLAY to one that does."
+        )
+    return None
+
+
+def _answers() -> bool:
+    """Whether the X server of ``DISPLAY`` can be reached."""
+    try:
+        library = ctypes.CDLL("libxcb.so.1")
+    except OSError:
+        return True
+    library.xcb_connect.restype = ctypes.c_void_p
+    connection = ctypes.c_void_p(library.xcb_connect(None, None))
+    broken = library.xcb_connection_has_error(connection)
+    library.xcb_disconnect(connection)
+    return not broken
 
 
 def _missing(libraries: list[str]) -> str:

@@ -13,13 +13,16 @@ from types import TracebackType
 from typing import Any, Final
 
 from PySide6.QtCore import QCoreApplication, QTimer
+from PySide6.QtGui import QFontMetrics
 from PySide6.QtWidgets import QApplication
 
 from seacruise.desktop.exporting import save_image
+from seacruise.desktop.language import install
 from seacruise.desktop.memory import WindowMemory
 from seacruise.desktop.state import WindowState
 from seacruise.desktop.style import apply_style
 from seacruise.desktop.window import MainWindow
+from seacruise.errors import InputError
 from seacruise.settings import Settings
 
 log = logging.getLogger(__name__)
@@ -49,6 +52,8 @@ def open_window(
 
     Raises
     ------
+    InputError
+        There is no font to write with.
     SeaCruiseError
         With a screenshot: why there is no passage. The picture shows it, too.
     """
@@ -56,10 +61,17 @@ def open_window(
     if not isinstance(app, QApplication):
         QCoreApplication.setApplicationName("SeaCruise")
         app = QApplication(sys.argv[:1])
+    if not QFontMetrics(app.font()).inFont("a"):
+        raise InputError(
+            "The window cannot open: no font is installed; on Debian or Ubuntu: "
+            "apt-get install fonts-dejavu-core.",
+            reason="no-window",
+        )
     apply_style(app)
     settings = Settings.from_environment()
     with _logging(settings), _switching_fast():
         memory = WindowMemory(settings.data_dir) if screenshot is None else None
+        install(app, memory)
         window = MainWindow(settings, memory=memory)
         restored = memory is not None and memory.restore_geometry(window, window.splitter)
         if size is not None:
@@ -72,6 +84,8 @@ def open_window(
             if screenshot is None:
                 # After the first paint: nothing that is loaded is in its way.
                 QTimer.singleShot(0, window.load)
+                if not prefill:
+                    QTimer.singleShot(0, window.habits.welcome)
                 return int(app.exec())
             return _take_picture(app, window, screenshot, compute="start" in prefill and "end" in prefill)
 

@@ -9,6 +9,7 @@ import numpy as np
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoCommand, QUndoStack
 
+from seacruise.desktop.language import fill
 from seacruise.geodesy import destination
 from seacruise.sea.zones import Zone
 from seacruise.units import METRES_PER_NM
@@ -43,7 +44,7 @@ class Avoided(QObject):
 
     def add(self, lat: float, lon: float, radius_nm: float) -> None:
         """Keep clear of a position [degrees]."""
-        name = self.tr("{radius:g} nm to avoid").format(radius=radius_nm)
+        name = fill(self.tr("{radius:g} nm to avoid"), radius=radius_nm)
         after = (*self._zones, circle(lat, lon, radius_nm, name))
         self.stack.push(_Change(self, after, self.tr("avoiding an area")))
 

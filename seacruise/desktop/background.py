@@ -109,12 +109,13 @@ def add_polar(path: Path, settings: Settings) -> str:
 class Background(QObject):
     """Runs these loads; each has a runner of its own, so that none waits for another.
 
-    Signals: ``catalogue_loaded(Catalogue)``, ``horizon_loaded(Horizon)``, ``horizon_failed(error)``,
-    ``quota_loaded(tuple or None)``, ``layers_loaded(Zones)``, ``polar_added(name)``, ``troubled(error)``,
-    ``warmed_up()``.
+    Signals: ``catalogue_loaded(Catalogue)``, ``catalogue_failed(error)``, ``horizon_loaded(Horizon)``,
+    ``horizon_failed(error)``, ``quota_loaded(tuple or None)``, ``layers_loaded(Zones)``,
+    ``polar_added(name)``, ``troubled(error)``, ``warmed_up()``.
     """
 
     catalogue_loaded = Signal(object)
+    catalogue_failed = Signal(object)
     horizon_loaded = Signal(object)
     horizon_failed = Signal(object)
     quota_loaded = Signal(object)
@@ -132,7 +133,7 @@ class Background(QObject):
         }
         runners = self._runners
         runners["catalogue"].finished.connect(lambda _, found: self.catalogue_loaded.emit(found))
-        runners["catalogue"].failed.connect(lambda _, error: self.troubled.emit(error))
+        runners["catalogue"].failed.connect(lambda _, error: self.catalogue_failed.emit(error))
         runners["horizon"].finished.connect(lambda _, found: self.horizon_loaded.emit(found))
         runners["horizon"].failed.connect(lambda _, error: self.horizon_failed.emit(error))
         runners["quota"].finished.connect(lambda _, found: self.quota_loaded.emit(found))

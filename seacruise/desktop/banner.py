@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import re
+
 from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QAccessible, QAccessibleEvent, QShowEvent
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
 
+from seacruise.desktop.language import sentence
 from seacruise.desktop.messages import Message, WayOut, way_out_text
 from seacruise.desktop.style import scaled_font
 
@@ -16,6 +20,11 @@ def text_label(text: str = "", name: str = "", parent: QWidget | None = None) ->
     label.setWordWrap(True)
     label.setTextFormat(Qt.TextFormat.PlainText)
     return label
+
+
+def breakable(text: str) -> str:
+    """Let words that are longer than a line of a column, as paths are, be broken; invisibly."""
+    return re.sub(r"\S{36,}", lambda word: re.sub(r"([/\\]|[^/\\]{30})(?!$)", "\\1\u200b", word[0]), text)
 
 
 class Banner(QFrame):
@@ -33,23 +42,38 @@ class Banner(QFrame):
         layout.setSpacing(4)
         self._labels: list[QLabel] = []
         for number, text in enumerate(_texts(message)):
-            label = text_label(text, parent=self)
+            label = text_label(breakable(text), parent=self)
             if number or not message.title:
                 label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
             else:
                 label.setFont(scaled_font(self.font(), 1.0, bold=True))
             layout.addWidget(label)
             self._labels.append(label)
-        self.button: QPushButton | None = None
-        if message.way_out is not WayOut.NOTHING:
-            self.button = QPushButton(way_out_text(message.way_out), self)
-            self.button.clicked.connect(lambda: self.way_out_chosen.emit(message.way_out))
-            row = QHBoxLayout()
-            row.setContentsMargins(0, 4, 0, 0)
-            row.addWidget(self.button)
-            row.addStretch()
+        self.buttons = [self._button(way) for way in (message.way_out, message.other) if way.value]
+        row = QHBoxLayout()
+        row.setContentsMargins(0, 4, 0, 0)
+        for button in self.buttons:
+            row.addWidget(button)
+        row.addStretch()
+        if self.buttons:
             layout.addLayout(row)
         self._name()
+
+    @property
+    def button(self) -> QPushButton | None:
+        """The button of the first way out."""
+        return self.buttons[0] if self.buttons else None
+
+    def _button(self, way_out: WayOut) -> QPushButton:
+        button = QPushButton(way_out_text(way_out), self)
+        button.clicked.connect(lambda _on=False: self.way_out_chosen.emit(way_out))
+        return button
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Have an error read out at once."""
+        super().showEvent(event)
+        if self.message.kind == "error" and QAccessible.isActive():
+            QAccessible.updateAccessibility(QAccessibleEvent(self, QAccessible.Event.Alert))
 
     def say(self, message: Message) -> bool:
         """Say something else in the same form; False, and nothing is changed, when its form is another."""
@@ -57,8 +81,8 @@ class Banner(QFrame):
             return False
         self.message = message
         for label, text in zip(self._labels, _texts(message), strict=True):
-            if label.text() != text:
-                label.setText(text)
+            if label.text() != breakable(text):
+                label.setText(breakable(text))
         self._name()
         return True
 
@@ -67,8 +91,15 @@ class Banner(QFrame):
 
 
 def _texts(message: Message) -> list[str]:
-    return [text for text in (message.title, message.sentence, message.advice) if text]
+    return [text for text in (message.title, sentence(message.sentence), message.advice) if text]
 
 
 def _form(message: Message) -> tuple[object, ...]:
-    return message.kind, message.way_out, bool(message.title), bool(message.sentence), bool(message.advice)
+    return (
+        message.kind,
+        message.way_out,
+        message.other,
+        bool(message.title),
+        bool(message.sentence),
+        bool(message.advice),
+    )

@@ -6,10 +6,12 @@ from PySide6.QtCore import QEvent, QObject, QSize, Qt
 from PySide6.QtWidgets import QLabel, QToolButton, QVBoxLayout, QWidget
 
 from seacruise.desktop.chart.view import ChartView
+from seacruise.desktop.language import sentence
 from seacruise.desktop.style import scaled_font, show_icon
 from seacruise.desktop.time_bar import TimeBar
 
 _EDGE = 12
+_RIBBON_PADDING = 30
 
 
 class ChartPane(QWidget):
@@ -34,6 +36,7 @@ class ChartPane(QWidget):
         self.ribbon = QLabel(self.view)
         self.ribbon.setFont(scaled_font(self.font(), 0.95, bold=True))
         self.ribbon.setObjectName("ribbon")
+        self.ribbon.setWordWrap(True)
         self.ribbon.hide()
         self.view.installEventFilter(self)
 
@@ -49,7 +52,7 @@ class ChartPane(QWidget):
 
     def show_ribbon(self, text: str) -> None:
         """Say over the chart, and so in every picture of it, what must not be overlooked; or nothing."""
-        self.ribbon.setText(text)
+        self.ribbon.setText(sentence(text))
         self.ribbon.setVisible(bool(text))
         self._place()
 
@@ -64,7 +67,8 @@ class ChartPane(QWidget):
         buttons = (self.zoom_in_button, self.zoom_out_button, self.fit_button, self.measure_button)
         for row, button in enumerate(buttons):
             button.move(right - button.width(), _EDGE + row * (button.height() + 5))
-        self.ribbon.adjustSize()
-        room = self.view.width() - 2 * (_EDGE + 44)
-        self.ribbon.resize(min(self.ribbon.width(), room), self.ribbon.height())
+        room = max(self.view.width() - 2 * (_EDGE + 44), 120)
+        words = self.ribbon.fontMetrics().horizontalAdvance(self.ribbon.text())
+        width = min(words + _RIBBON_PADDING, room)
+        self.ribbon.resize(width, self.ribbon.heightForWidth(width))
         self.ribbon.move((self.view.width() - self.ribbon.width()) // 2, _EDGE)

@@ -2,22 +2,18 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from enum import IntEnum
 from itertools import pairwise
-from typing import TYPE_CHECKING, Final, Literal
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from seacruise.sun import CIVIL_TWILIGHT_DEG, sun_altitude_deg
+from seacruise import sun
+from seacruise.sun import CIVIL_TWILIGHT_DEG, SUNRISE_DEG, SunEvent, sun_altitude_deg
 
 if TYPE_CHECKING:
     from seacruise.passage import Track
-
-SUNRISE_DEG: Final = -0.833
-"""Altitude of the sun's centre when its upper limb touches the horizon: half its width, and 34 minutes of
-refraction [degrees] (Explanatory Supplement to the Astronomical Almanac)."""
 
 
 class Light(IntEnum):
@@ -26,24 +22,6 @@ class Light(IntEnum):
     DAY = 0
     TWILIGHT = 1
     NIGHT = 2
-
-
-@dataclass(frozen=True, slots=True)
-class SunEvent:
-    """Sunrise or sunset under way.
-
-    Attributes
-    ----------
-    time
-        Seconds since 1970.
-    lat, lon
-        Where the yacht is then [degrees].
-    """
-
-    kind: Literal["sunrise", "sunset"]
-    time: float
-    lat: float
-    lon: float
 
 
 def light_along(track: Track) -> NDArray[np.int64]:
@@ -60,13 +38,7 @@ def light_at(time: float, lat: float, lon: float) -> Light:
 
 def sun_events(track: Track) -> list[SunEvent]:
     """Sunrises and sunsets along a track, in their order."""
-    above = sun_altitude_deg(track.time, track.lat, track.lon) - SUNRISE_DEG
-    events = []
-    for k in np.flatnonzero(np.sign(above[1:]) * np.sign(above[:-1]) < 0).tolist():
-        share = float(above[k] / (above[k] - above[k + 1]))
-        time, lat, lon = (float(a[k] + share * (a[k + 1] - a[k])) for a in (track.time, track.lat, track.lon))
-        events.append(SunEvent("sunset" if above[k] > 0 else "sunrise", time, lat, lon))
-    return events
+    return sun.sun_events(track.time, track.lat, track.lon)
 
 
 def spans(classes: NDArray[np.int64]) -> list[tuple[int, int, int]]:

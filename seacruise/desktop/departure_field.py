@@ -1,4 +1,4 @@
-"""Day and hour of departure, UTC: the calendar offers the forecast's days; what is typed is never bent."""
+"""Day and hour of departure: the calendar offers the forecast's days; what is typed is never bent."""
 
 from __future__ import annotations
 
@@ -20,19 +20,22 @@ from PySide6.QtWidgets import (
 from seacruise.desktop.banner import text_label
 from seacruise.desktop.state import Horizon
 from seacruise.desktop.style import show_icon
+from seacruise.desktop.units_choice import (
+    format_moment,
+    from_zone,
+    in_zone,
+    moment_text,
+    units_choice,
+    zone_text,
+)
 from seacruise.errors import InputError
+
+__all__ = ["DepartureField", "format_moment", "to_date"]
 
 
 def to_date(day: QDate) -> date:
     """Python's date for Qt's."""
     return date(day.year(), day.month(), day.day())
-
-
-def format_moment(moment: datetime) -> str:
-    """Day and time as the sailor's locale writes them, UTC."""
-    utc = moment.astimezone(UTC)
-    day = QLocale().toString(QDate(utc.year, utc.month, utc.day), "ddd d MMM yyyy")
-    return f"{day} {utc:%H:%M}"
 
 
 class DepartureField(QWidget):
@@ -49,10 +52,11 @@ class DepartureField(QWidget):
         self._horizon: Horizon | None = None
         self._chosen = False
         self._filling = False
+        self._moment = datetime(1970, 1, 1, tzinfo=UTC)
         self.date_edit = QDateEdit(self)
         self.date_edit.setDisplayFormat("ddd d MMM yyyy")
         self.date_edit.setDateRange(QDate(1900, 1, 1), QDate(2199, 12, 31))
-        self.date_edit.setAccessibleName(self.tr("Date of departure, UTC"))
+        self.date_edit.setAccessibleName(self.tr("Date of departure"))
         self.calendar_button = QToolButton(self)
         show_icon(self.calendar_button, "calendar")
         self.calendar_button.setIconSize(QSize(18, 18))
@@ -61,7 +65,7 @@ class DepartureField(QWidget):
         self.calendar_button.clicked.connect(self.open_calendar)
         self.time_edit = QTimeEdit(self)
         self.time_edit.setDisplayFormat("HH:mm")
-        self.time_edit.setAccessibleName(self.tr("Time of departure, UTC"))
+        self.time_edit.setAccessibleName(self.tr("Time of departure"))
         self.time_edit.setMaximumWidth(92)
         for edit in (self.date_edit, self.time_edit):
             edit.lineEdit().setTextMargins(5, 0, 0, 0)
@@ -80,6 +84,10 @@ class DepartureField(QWidget):
         self.setFocusProxy(self.date_edit)
         self.date_edit.dateChanged.connect(self._picked)
         self.time_edit.timeChanged.connect(self._picked)
+        for edit in (self.date_edit, self.time_edit):
+            # An hour that the clocks leave out in spring becomes the one that is meant by it.
+            edit.editingFinished.connect(self._show_moment)
+        units_choice().changed.connect(self._show_zone)
         # Until the forecast is known: the next full hour, not the day that Qt begins with.
         soon = datetime.now(UTC).replace(minute=0, second=0, microsecond=0) + timedelta(hours=1)
         self.set_moment(soon, chosen=False)
@@ -102,10 +110,7 @@ class DepartureField(QWidget):
     @property
     def moment(self) -> datetime:
         """What is in the field, UTC."""
-        clock = self.time_edit.time()
-        return datetime.combine(
-            to_date(self.date_edit.date()), time(clock.hour(), clock.minute()), tzinfo=UTC
-        )
+        return self._moment
 
     @property
     def was_chosen(self) -> bool:
@@ -127,39 +132,41 @@ class DepartureField(QWidget):
         """
         if not self.is_covered:
             raise InputError(
-                self.tr(
-                    "The departure on {moment} UTC is not within the forecast, which covers {range}."
-                ).format(moment=format_moment(self.moment), range=self._range_text()),
+                self.tr("The departure on {moment} is not within the forecast, which covers {range}.").format(
+                    moment=moment_text(self.moment), range=self._range_text()
+                ),
                 reason="departure",
             )
         return self.moment
 
     def set_moment(self, moment: datetime, *, chosen: bool) -> None:
         """Fill in a moment; ``chosen`` by the sailor, it stays when the forecast changes."""
-        utc = moment.astimezone(UTC)
-        self._filling = True
-        self.date_edit.setDate(QDate(utc.year, utc.month, utc.day))
-        self.time_edit.setTime(QTime(utc.hour, utc.minute))
-        self._filling = False
+        self._moment = moment.astimezone(UTC).replace(second=0, microsecond=0)
+        self._show_moment()
         self._chosen = chosen
         self._show_range()
         self.changed.emit()
+
+    def _show_moment(self) -> None:
+        shown = in_zone(self._moment)
+        self._filling = True
+        self.date_edit.setDate(QDate(shown.year, shown.month, shown.day))
+        self.time_edit.setTime(QTime(shown.hour, shown.minute))
+        self._filling = False
 
     def set_horizon(self, horizon: Horizon | None, now: datetime) -> None:
         """Take over what the forecast covers; ``None`` while that is not known."""
         self._horizon = horizon
         self.calendar_button.setEnabled(horizon is not None)
         if horizon is not None:
-            first, last = (m.astimezone(UTC) for m in (horizon.first, horizon.last))
-            self.calendar.setDateRange(
-                QDate(first.year, first.month, first.day), QDate(last.year, last.month, last.day)
-            )
+            self._offer_days(horizon)
             if not self._chosen:
                 self.set_moment(horizon.default_departure(now), chosen=False)
         self._show_range()
 
     def use_first_hour(self, now: datetime) -> None:
-        """Move to the first full hour that can be sailed."""
+        """Move to the first full hour that can be sailed, at once or when the forecast is known."""
+        self._chosen = False
         if self._horizon is not None:
             self.set_moment(self._horizon.default_departure(now), chosen=False)
 
@@ -167,18 +174,33 @@ class DepartureField(QWidget):
 
     def _range_text(self) -> str:
         assert self._horizon is not None
-        return self.tr("{first} to {last} UTC").format(
-            first=format_moment(self._horizon.first), last=format_moment(self._horizon.last)
+        return self.tr("{first} to {last}").format(
+            first=format_moment(self._horizon.first), last=moment_text(self._horizon.last)
+        )
+
+    def _show_zone(self) -> None:
+        """Show the same moment in the zone that was chosen."""
+        self._show_moment()
+        if self._horizon is not None:
+            self._offer_days(self._horizon)
+        self._show_range()
+
+    def _offer_days(self, horizon: Horizon) -> None:
+        first, last = in_zone(horizon.first), in_zone(horizon.last)
+        self.calendar.setDateRange(
+            QDate(first.year, first.month, first.day), QDate(last.year, last.month, last.day)
         )
 
     def _show_range(self) -> None:
         wrong = not self.is_covered
         if self._horizon is None:
-            text = self.tr("UTC")
+            text = zone_text(self.moment)
         elif wrong:
             text = self.tr("Not in the forecast, which covers {range}.").format(range=self._range_text())
         else:
-            text = self.tr("UTC. The forecast covers {range}.").format(range=self._range_text())
+            text = self.tr("{zone}. The forecast covers {range}.").format(
+                zone=zone_text(self.moment), range=self._range_text()
+            )
         if text != self.range_label.text():
             self.range_label.setText(text)
         self.range_label.setObjectName("fault" if wrong else "hint")
@@ -191,6 +213,10 @@ class DepartureField(QWidget):
 
     def _picked(self) -> None:
         if not self._filling:
+            clock = self.time_edit.time()
+            self._moment = from_zone(
+                datetime.combine(to_date(self.date_edit.date()), time(clock.hour(), clock.minute()))
+            )
             self._chosen = True
             self._show_range()
             self.changed.emit()

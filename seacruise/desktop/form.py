@@ -3,21 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import fields, replace
-from datetime import datetime
-from pathlib import Path
+from datetime import UTC, datetime
 from typing import TYPE_CHECKING, Any, Final
 
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtWidgets import (
     QComboBox,
-    QDoubleSpinBox,
-    QFileDialog,
     QFrame,
     QGridLayout,
     QHBoxLayout,
     QLabel,
     QPushButton,
+    QSizePolicy,
     QToolButton,
     QVBoxLayout,
     QWidget,
@@ -26,6 +23,10 @@ from PySide6.QtWidgets import (
 from seacruise.desktop.banner import text_label
 from seacruise.desktop.compute import Question, refuse_same_port
 from seacruise.desktop.departure_field import DepartureField
+from seacruise.desktop.forecast_box import ForecastBox
+from seacruise.desktop.number_box import WheelGuard
+from seacruise.desktop.options_bar import OptionsBar
+from seacruise.desktop.options_model import OptionsModel
 from seacruise.desktop.pages.reach_model import Outset
 from seacruise.desktop.port_field import PortField
 from seacruise.desktop.style import scaled_font, show_icon
@@ -36,14 +37,14 @@ from seacruise.ports import Port
 if TYPE_CHECKING:
     from seacruise.yacht.polar import Polar
 
-FILE_TYPES: Final = "GRIB, NetCDF (*.grib *.grib2 *.grb *.grb2 *.nc *.nc4);;* (*)"
-_CHOOSE_FILE: Final = "choose-file"
+_LIVE: Final = frozenset({"auto", "stormglass", "open-meteo", "open-meteo-ensemble", "metno", "practice"})
+"""Forecasts of the days to come: with them a departure that is over is nothing to keep."""
+
 _KINDS: Final[dict[str, type | tuple[type, ...]]] = {
     **dict.fromkeys(("start", "end", "yacht"), str),
     **dict.fromkeys(("forecast", "weights"), list),
-    **dict.fromkeys(("percent_of_polar", "max_wind_kn", "motor_below_kn"), (int, float)),
 }
-"""What a window keeps of its form, and of which kind it is."""
+"""What a window keeps of its form besides the options, and of which kind it is."""
 
 
 class PassageForm(QFrame):
@@ -65,27 +66,32 @@ class PassageForm(QFrame):
         self.setObjectName("card")
         self._yachts: dict[str, Polar] = {}
         self._wanted_yacht = ""
-        self._options = Options()
-        self._forecast: tuple[str, ...] = ("auto",)
-        self._weights: tuple[float, ...] = ()
+        self.sailing = OptionsModel(self)
         self.start_field, self.end_field = PortField(self), PortField(self)
         self.departure = DepartureField(self)
-        self.yacht_box, self.forecast_box = QComboBox(self), QComboBox(self)
+        self.yacht_box, self.forecast_box = QComboBox(self), ForecastBox(self)
+        self.options_bar = OptionsBar(self.sailing, self)
+        bar = self.options_bar
+        self.percent_box, self.max_wind_box, self.motor_box = bar.percent_box, bar.max_wind_box, bar.motor_box
+        self._wheel = WheelGuard(self)
         self._make_buttons()
-        self._make_options()
         self._lay_out()
-        self._fill_forecasts()
         self.yacht_box.setPlaceholderText(self.tr("Loading the yachts…"))
         self.yacht_box.setMaxVisibleItems(18)
+        # A name may be as long as it likes; the column stays as wide as it is.
+        self.yacht_box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+        self.yacht_box.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         for field in (self.start_field, self.end_field):
             field.port_changed.connect(self.ends_changed)
         self.start_field.setPlaceholderText(self.tr("Port, or 54.5, 18.6"))
         self.end_field.setPlaceholderText(self.tr("Port, or 59.3, 18.1"))
-        self.forecast_box.activated.connect(self._forecast_picked)
+        self.forecast_box.forecast_changed.connect(self.forecast_changed)
         self.yacht_box.activated.connect(self._yacht_picked)
         self.yacht_box.activated.connect(self.sailing_changed)
-        for box in (self.percent_box, self.max_wind_box, self.motor_box):
-            box.valueChanged.connect(self.sailing_changed)
+        self.sailing.changed.connect(self.sailing_changed)
+        self._wheel.guard(
+            self.yacht_box, self.forecast_box, self.departure.date_edit, self.departure.time_edit
+        )
         self.departure.changed.connect(self._departure_changed)
 
     # --- building -----------------------------------------------------------------------------------
@@ -108,53 +114,13 @@ class PassageForm(QFrame):
         self.cancel_button.clicked.connect(self.cancelled)
         self.set_running(running=False)
 
-    def _make_options(self) -> None:
-        self.options_box = QWidget(self)
-        self.more_button = QPushButton(self)
-        self.more_button.setObjectName("flat")
-        self.more_button.clicked.connect(lambda: self.show_options(shown=self.options_box.isHidden()))
-        self.percent_box = self._number(30.0, 150.0, " %", step=5.0, value=100.0)
-        self.max_wind_box = self._number(0.0, 100.0, " kn", step=1.0, none=self.tr("no limit"))
-        self.motor_box = self._number(0.0, 20.0, " kn", step=0.5, none=self.tr("never"))
-        grid = QGridLayout(self.options_box)
-        grid.setContentsMargins(0, 0, 0, 0)
-        grid.setColumnStretch(0, 1)
-        for row, (text, box) in enumerate(
-            (
-                (self.tr("Crew sails at"), self.percent_box),
-                (self.tr("Most wind (TWS)"), self.max_wind_box),
-                (self.tr("Motor when slower than"), self.motor_box),
-            )
-        ):
-            label = QLabel(text, self.options_box)
-            label.setObjectName("fieldName")
-            label.setBuddy(box)
-            box.setAccessibleName(text)
-            grid.addWidget(label, row, 0)
-            grid.addWidget(box, row, 1)
-        self.show_options(shown=False)
-
-    def _number(
-        self, low: float, high: float, suffix: str, *, step: float, value: float = 0.0, none: str = ""
-    ) -> QDoubleSpinBox:
-        box = QDoubleSpinBox(self.options_box)
-        box.setRange(low, high)
-        box.setDecimals(1 if step < 1 else 0)
-        box.setSingleStep(step)
-        box.setSuffix(suffix)
-        box.setSpecialValueText(none)
-        box.setValue(value)
-        box.setMinimumWidth(104)
-        box.lineEdit().setTextMargins(5, 0, 0, 0)
-        return box
-
     def _lay_out(self) -> None:
         title = QLabel(self.tr("Passage"), self)
         title.setFont(scaled_font(self.font(), 1.25, bold=True))
         ends = QGridLayout()
         ends.setHorizontalSpacing(8)
         ends.setVerticalSpacing(3)
-        ends.addWidget(self._name(self.tr("&From"), self.start_field), 0, 0)
+        ends.addWidget(self._name(self.tr("Fro&m"), self.start_field), 0, 0)
         ends.addWidget(self.start_field, 1, 0)
         ends.addWidget(self._name(self.tr("&To"), self.end_field), 2, 0)
         ends.addWidget(self.end_field, 3, 0)
@@ -174,8 +140,7 @@ class PassageForm(QFrame):
             column.addWidget(self._name(text, field))
             column.addWidget(field)
             layout.addLayout(column)
-        layout.addWidget(self.more_button, 0, Qt.AlignmentFlag.AlignLeft)
-        layout.addWidget(self.options_box)
+        layout.addWidget(self.options_bar)
         buttons = QHBoxLayout()
         buttons.setSpacing(8)
         buttons.addWidget(self.calculate_button, 2)
@@ -189,19 +154,6 @@ class PassageForm(QFrame):
         if not isinstance(field, DepartureField):
             field.setAccessibleName(text.replace("&", ""))
         return label
-
-    def _fill_forecasts(self) -> None:
-        for text, name in (
-            (self.tr("Automatic"), "auto"),
-            (self.tr("Storm Glass (needs a key)"), "stormglass"),
-            (self.tr("Open-Meteo"), "open-meteo"),
-            (self.tr("Open-Meteo ensemble"), "open-meteo-ensemble"),
-            (self.tr("MET Norway"), "metno"),
-            (self.tr("Practice weather (not a forecast)"), "practice"),
-            (self.tr("Sample: 20–22 November 2016"), "sample"),
-            (self.tr("GRIB or NetCDF file…"), _CHOOSE_FILE),
-        ):
-            self.forecast_box.addItem(text, (name,))
 
     # --- what is asked ------------------------------------------------------------------------------
 
@@ -220,8 +172,8 @@ class PassageForm(QFrame):
             end=ends[1],
             departure=self.departure.require_moment(),
             yacht=self._yacht(),
-            forecast=self._forecast,
-            weights=self._weights,
+            forecast=self.forecast,
+            weights=self.weights,
             options=self.options(),
         )
 
@@ -237,8 +189,8 @@ class PassageForm(QFrame):
             start=_port_in(self.start_field),
             departure=self.departure.require_moment(),
             yacht=self._yacht(),
-            forecast=self._forecast,
-            weights=self._weights,
+            forecast=self.forecast,
+            weights=self.weights,
             options=self.options(),
         )
 
@@ -253,23 +205,31 @@ class PassageForm(QFrame):
         return self._yachts[name]
 
     def options(self) -> Options:
-        """How to sail: the three boxes, and what the command line said besides."""
-        return replace(
-            self._options,
-            percent_of_polar=self.percent_box.value(),
-            max_wind_kn=self.max_wind_box.value() or None,
-            motor_below_kn=self.motor_box.value() or None,
-        )
+        """How to sail: the fields, and what the command line said besides."""
+        return self.sailing.options
 
     @property
     def forecast(self) -> tuple[str, ...]:
         """Chosen forecast, as on the command line."""
-        return self._forecast
+        return self.forecast_box.forecast
 
     @property
     def weights(self) -> tuple[float, ...]:
         """Weights of several forecasts in their mean; empty for equal ones."""
-        return self._weights
+        return self.forecast_box.weights
+
+    def set_forecast(self, names: tuple[str, ...], weights: tuple[float, ...] = ()) -> None:
+        """Choose a forecast by the names of the command line."""
+        self.forecast_box.set_forecast(names, weights)
+
+    @property
+    def wrong_field(self) -> QWidget:
+        """The field to look at first: of an end that is none, or is the other one; else the departure."""
+        if self.start_field.port is None:
+            return self.start_field
+        if self.end_field.port is None or self.end_field.port == self.start_field.port:
+            return self.end_field
+        return self.departure
 
     @property
     def ends(self) -> dict[str, Port]:
@@ -293,17 +253,17 @@ class PassageForm(QFrame):
             field.set_position(port.lat, port.lon)
 
     def contents(self) -> dict[str, object]:
-        """Give what is worth keeping for the next start; a departure is not."""
-        return {
+        """Give what is worth keeping for the next start; a departure only where the sailor chose it."""
+        kept: dict[str, object] = {
             "start": self.start_field.text(),
             "end": self.end_field.text(),
             "yacht": self._wanted_yacht,
-            "forecast": list(self._forecast),
-            "weights": list(self._weights),
-            "percent_of_polar": self.percent_box.value(),
-            "max_wind_kn": self.max_wind_box.value(),
-            "motor_below_kn": self.motor_box.value(),
+            "forecast": list(self.forecast),
+            "weights": list(self.weights),
         }
+        if self.departure.was_chosen:
+            kept["depart"] = self.departure.moment.isoformat()
+        return kept | self.sailing.contents()
 
     # --- filling in ---------------------------------------------------------------------------------
 
@@ -323,20 +283,15 @@ class PassageForm(QFrame):
             names, weights = tuple(str(name) for name in forecast), tuple(values.get("weights") or ())
             fits = len(weights) == len(names) and all(isinstance(w, int | float) and w > 0 for w in weights)
             self.set_forecast(names, weights if fits else ())
-        known = {field.name for field in fields(Options)}
-        self._options = replace(self._options, **{k: v for k, v in values.items() if k in known})
-        for key, box in (
-            ("percent_of_polar", self.percent_box),
-            ("max_wind_kn", self.max_wind_box),
-            ("motor_below_kn", self.motor_box),
-        ):
-            if key in values:
-                box.setValue(float(values[key] or 0.0))
-        self._tell_options()
+        self.sailing.put(values)
 
     def restore(self, kept: Mapping[str, Any]) -> None:
         """Fill in what `contents` gave; what is not of its kind, as in a damaged file, is passed over."""
-        self.fill({key: value for key, value in kept.items() if isinstance(value, _KINDS.get(key, ()))})
+        values = {key: kept[key] for key, kind in _KINDS.items() if isinstance(kept.get(key), kind)}
+        if moment := _still_ahead(kept.get("depart"), values.get("forecast", ())):
+            values["depart"] = moment
+        self.fill(values)
+        self.sailing.restore(kept)
 
     def set_ports(self, ports: Sequence[Port]) -> None:
         """Take the ports over."""
@@ -364,65 +319,16 @@ class PassageForm(QFrame):
     def _yacht_picked(self) -> None:
         self._wanted_yacht = self.yacht_box.currentText()
 
-    def set_forecast(self, names: tuple[str, ...], weights: tuple[float, ...] = ()) -> None:
-        """Choose a forecast by the names of the command line; what is not there gets an entry."""
-        at = next(
-            (i for i in range(self.forecast_box.count()) if tuple(self.forecast_box.itemData(i)) == names), -1
-        )
-        if at < 0:
-            at = self.forecast_box.count() - 1
-            text = ", ".join(Path(name).name for name in names)
-            self.forecast_box.insertItem(at, text, names)
-        self.forecast_box.setCurrentIndex(at)
-        changed = (names, weights) != (self._forecast, self._weights)
-        self._forecast, self._weights = names, weights
-        if changed:
-            self.forecast_changed.emit()
-
-    def _forecast_picked(self, index: int) -> None:
-        names = tuple(self.forecast_box.itemData(index))
-        if names == (_CHOOSE_FILE,):
-            self.set_forecast(self._forecast, self._weights)
-            self._ask_for_files()
-        else:
-            self.set_forecast(names)
-
-    def _ask_for_files(self) -> None:
-        dialog = QFileDialog(self, self.tr("Forecast files"), "", FILE_TYPES)
-        dialog.setFileMode(QFileDialog.FileMode.ExistingFiles)
-        dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        dialog.filesSelected.connect(lambda files: self.set_forecast(tuple(files)))
-        dialog.open()
-
     def swap_ends(self) -> None:
         """Sail the other way."""
         start, end = self.start_field.text(), self.end_field.text()
         self.start_field.setText(end)
         self.end_field.setText(start)
 
-    def show_options(self, *, shown: bool) -> None:
-        """Open or close the part with the finer choices."""
-        self.options_box.setVisible(shown)
-        self._tell_options()
-
-    def _tell_options(self) -> None:
-        if not self.options_box.isHidden():
-            self.more_button.setText(self.tr("Fewer options"))
-            return
-        said = []
-        if self.percent_box.value() != 100.0:
-            said.append(f"{self.percent_box.value():.0f} %")
-        if self.max_wind_box.value():
-            said.append(self.tr("up to {n:.0f} kn").format(n=self.max_wind_box.value()))
-        if self.motor_box.value():
-            said.append(self.tr("motor below {n:g} kn").format(n=self.motor_box.value()))
-        extra = f" ({', '.join(said)})" if said else ""
-        self.more_button.setText(self.tr("Crew, wind limit, engine…") + extra)
-
     def use_engine(self) -> None:
         """Let the engine help below three knots."""
         self.motor_box.setValue(3.0)
-        self.show_options(shown=True)
+        self.options_bar.show_options(shown=True)
 
     def set_running(self, *, running: bool) -> None:
         """Tell that a calculation runs, or none does. Changing the fields meanwhile disturbs nothing."""
@@ -445,3 +351,15 @@ def _port_in(field: PortField) -> Port:
         field.mark_wrong(wrong=True)
         field.setFocus()
         raise
+
+
+def _still_ahead(written: object, forecast: Sequence[object]) -> datetime | None:
+    """Give a departure that was kept, unless it is over; in the sample or a file nothing ever is."""
+    try:
+        moment = datetime.fromisoformat(written) if isinstance(written, str) else None
+    except ValueError:
+        return None
+    if moment is None or moment.tzinfo is None:
+        return None
+    lasts = bool(forecast) and not _LIVE.intersection(map(str, forecast))
+    return moment if lasts or moment > datetime.now(UTC) else None

@@ -16,6 +16,7 @@ from typing import Any, Final
 
 from PySide6.QtCore import QCoreApplication, QObject, QTimer, Signal
 
+from seacruise.desktop.thrift import give_back, share_arenas
 from seacruise.errors import CancelledError, SeaCruiseError
 from seacruise.progress import Job
 
@@ -171,10 +172,13 @@ class GarbageKeeper(QObject):
 
     _INTERVAL_MS = 100
     _FULL_EVERY = 200
+    _CALM = 20
 
     def __init__(self, is_busy: Callable[[], bool], parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._is_busy = is_busy
+        self._worked = False
+        self._calm = 0
         self._ticks = 0
         self._timer = QTimer(self)
         self._timer.setInterval(self._INTERVAL_MS)
@@ -183,6 +187,7 @@ class GarbageKeeper(QObject):
     def start(self) -> None:
         """Take over from the automatic collector."""
         gc.disable()
+        share_arenas()
         self.settle()
         self._timer.start()
 
@@ -198,4 +203,14 @@ class GarbageKeeper(QObject):
 
     def _tick(self) -> None:
         self._ticks += 1
-        gc.collect(2 if self._ticks % self._FULL_EVERY == 0 and not self._is_busy() else 0)
+        busy = self._is_busy()
+        self._worked |= busy
+        self._calm = 0 if busy else self._calm + 1
+        after_work = self._worked and self._calm == self._CALM
+        if not after_work and (busy or self._ticks % self._FULL_EVERY):
+            gc.collect(0)
+            return
+        gc.collect(2)
+        if self._worked:
+            self._worked = False
+            threading.Thread(target=give_back, name="thrift", daemon=True).start()

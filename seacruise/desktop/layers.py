@@ -6,10 +6,11 @@ from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QObject, Signal
 
+from seacruise.desktop.alternatives import OtherWays
 from seacruise.desktop.chart.palette import PALETTES
 from seacruise.desktop.chart.schemes import SCHEMES
 from seacruise.desktop.chart.view import ChartView
-from seacruise.desktop.compute import Answer
+from seacruise.desktop.compute import Answer, Planner, plan_passage
 from seacruise.desktop.equal_time import find_time_lines
 from seacruise.desktop.jobs import JobRunner
 from seacruise.desktop.menus import Menus
@@ -31,7 +32,13 @@ class Layers(QObject):
     failed = Signal(object)
 
     def __init__(
-        self, settings: Settings, menus: Menus, view: ChartView, parent: QObject | None = None
+        self,
+        settings: Settings,
+        menus: Menus,
+        view: ChartView,
+        parent: QObject | None = None,
+        *,
+        planner: Planner = plan_passage,
     ) -> None:
         super().__init__(parent)
         self._settings, self._menus, self._view = settings, menus, view
@@ -41,6 +48,9 @@ class Layers(QObject):
         self.jobs = JobRunner("isochrones", self)
         self.jobs.finished.connect(self._lines_found)
         self.jobs.failed.connect(lambda _, error: self.failed.emit(error))
+        self.ways = OtherWays(settings, planner, view, self)
+        self.ways.failed.connect(self.failed)
+        self._show_ground()
 
     def show_answer(self, answer: Answer | None) -> None:
         """Show the layers of a passage."""
@@ -61,9 +71,7 @@ class Layers(QObject):
         view = self._view
         view.wind.setVisible(self.is_on("wind"))
         view.field.setVisible(self.is_on("field"))
-        if view.legend.field_shown != self.is_on("field"):
-            view.legend.field_shown = self.is_on("field")
-            view.fit_again()
+        self._show_ground()
         view.zones.setVisible(self.is_on("zones"))
         view.isochrones.setVisible(self.is_on("isochrones"))
         view.ports.names_shown = self.is_on("ports")
@@ -79,7 +87,17 @@ class Layers(QObject):
         view.coast.show_lattice(edges if self.is_on("lattice") else None)
         view.refresh_coast()
         self._demand_lines()
+        self.ways.show(self._answer, on=self.is_on("others"))
         view.viewport().update()
+
+    def _show_ground(self) -> None:
+        """Colour the water by wind or by depth, never by both: one would be read for the other."""
+        view, field = self._view, self.is_on("field")
+        depths = self.is_on("depths") and not field
+        view.coast.show_depths(depths)
+        if (view.legend.field_shown, view.legend.depths_shown) != (field, depths):
+            view.legend.field_shown, view.legend.depths_shown = field, depths
+            view.fit_again()
 
     def _demand_lines(self) -> None:
         """Find the lines of the passage shown, unless they are there; none while it follows a hand."""
@@ -101,6 +119,11 @@ class Layers(QObject):
     def _lines_found(self, _generation: int, lines: list[TimeLine]) -> None:
         self._view.isochrones.show_lines(lines)
         self._view.viewport().update()
+
+    def shut_down(self) -> None:
+        """End the workers."""
+        self.jobs.shut_down()
+        self.ways.jobs.shut_down()
 
     # --- memory -------------------------------------------------------------------------------------
 

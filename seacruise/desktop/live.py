@@ -33,17 +33,21 @@ class LiveRouter(QObject):
     """Answers the newest of many questions about the wind of an earlier answer.
 
     Signals: ``routed(Answer)``, with ``rough`` set while the hand moves and re-routing is slow;
-    ``failed(SeaCruiseError)`` when there is no passage - a rough search that finds none says nothing.
+    ``failed(SeaCruiseError)`` when there is no passage - a rough search that finds none says nothing;
+    ``rested(Answer)`` after the last of some ``routed`` passages, when the hand rests: what nobody reads
+    while it moves is shown then.
     """
 
     routed = Signal(object)
     failed = Signal(object)
+    rested = Signal(object)
 
     def __init__(self, settings: Settings, planner: Planner, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._settings, self._planner = settings, planner
         self._follow: Follow[tuple[Question, Answer]] = Follow()
         self._turn: Turn[tuple[Question, Answer]] | None = None
+        self._last: Answer | None = None
         self._runner = JobRunner("live", self)
         self._runner.finished.connect(self._ended)
         self._runner.failed.connect(lambda _, error: self._ended(0, _Ended(None, error, 0.0)))
@@ -66,6 +70,7 @@ class LiveRouter(QObject):
         """Tell that the hand rests: now precisely."""
         self._rest.stop()
         self._run(self._follow.rest())
+        self._tell_rest()
 
     def note(self, seconds: float) -> None:
         """Take note of the time [s] that a precise calculation took elsewhere."""
@@ -74,6 +79,7 @@ class LiveRouter(QObject):
     def cancel(self) -> None:
         """Drop everything that is asked."""
         self._rest.stop()
+        self._last = None
         self._follow.forget()
         self._runner.cancel()
 
@@ -90,12 +96,19 @@ class LiveRouter(QObject):
 
     def _ended(self, _generation: int, ended: _Ended) -> None:
         turn = self._turn
-        following = self._follow.ended(ended.seconds)
+        # The next one is searched while this one is drawn.
+        self._run(self._follow.ended(ended.seconds))
         if ended.answer is not None:
+            self._last = ended.answer
             self.routed.emit(ended.answer)
         elif ended.error is not None and turn is not None and not turn.rough:
             self.failed.emit(ended.error)
-        self._run(following)
+        self._tell_rest()
+
+    def _tell_rest(self) -> None:
+        if self._last is not None and not self.is_busy:
+            last, self._last = self._last, None
+            self.rested.emit(last)
 
 
 def _work(

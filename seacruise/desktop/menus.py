@@ -10,6 +10,8 @@ from PySide6.QtCore import QObject
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence, QUndoStack
 from PySide6.QtWidgets import QMainWindow, QMenu
 
+from seacruise.desktop.undo import StepAction
+
 Command = Callable[[], object]
 
 
@@ -30,6 +32,7 @@ class Commands:
     calculate: Command
     cancel: Command
     swap: Command
+    options: Command
     steer: Command
     about: Command
 
@@ -47,8 +50,8 @@ class Menus(QObject):
         Whether changes are sailed at once.
     layers
         Switches of the chart's layers, of ``measure`` and of the table ``legs``.
-    passage
-        The menu of the passage, which pages add themselves to.
+    passage, help, recent, units, language, go_to
+        Menus that others add their entries to.
     """
 
     def __init__(self, window: QMainWindow, commands: Commands, undo: QUndoStack) -> None:
@@ -57,7 +60,7 @@ class Menus(QObject):
         file_menu, edit_menu = bar.addMenu(self.tr("&File")), bar.addMenu(self.tr("&Edit"))
         view_menu, passage_menu = bar.addMenu(self.tr("&View")), bar.addMenu(self.tr("&Passage"))
         self.passage = passage_menu
-        help_menu = bar.addMenu(self.tr("&Help"))
+        self.help = help_menu = bar.addMenu(self.tr("&Help"))
         save = _action(file_menu, self.tr("Sa&ve this passage"), commands.save, "Ctrl+Shift+S")
         self.exports = [
             _action(file_menu, self.tr("Save route as &GPX…"), partial(commands.export, "gpx"), "Ctrl+S"),
@@ -69,17 +72,21 @@ class Menus(QObject):
             save,
         ]
         file_menu.addSeparator()
-        _action(file_menu, self.tr("Saved &passages…"), commands.saved, "Ctrl+O")
+        _action(file_menu, self.tr("Saved p&assages…"), commands.saved, "Ctrl+O")
+        self.recent = file_menu.addMenu(self.tr("&Recent passages"))
         _action(file_menu, self.tr("&Weather…"), commands.weather, "F3")
         _action(file_menu, self.tr("&Yachts…"), commands.yachts, "F4")
         file_menu.addSeparator()
         _action(file_menu, self.tr("&Quit"), commands.quit, "Ctrl+Q")
-        self._add_undo(edit_menu, undo)
+        edit_menu.addActions([StepAction(undo, self, back=True), StepAction(undo, self, back=False)])
         self.layers = self._layers(view_menu, commands.show_layers)
         self._groups = {
             "scheme": self._schemes(view_menu.addMenu(self.tr("&Colour the route by")), commands),
             "light": self._lights(view_menu.addMenu(self.tr("Li&ght")), commands),
         }
+        self.units = view_menu.addMenu(self.tr("&Units"))
+        self.language = view_menu.addMenu(self.tr("Langu&age"))
+        self.go_to = view_menu.addMenu(self.tr("&Jump to"))
         view_menu.addSeparator()
         _action(view_menu, self.tr("Zoom &in"), commands.zoom_in, "Ctrl++")
         _action(view_menu, self.tr("Zoom &out"), commands.zoom_out, "Ctrl+-")
@@ -90,25 +97,21 @@ class Menus(QObject):
             passage_menu, self.tr("&Follow changes at once"), commands.steer, "Ctrl+Shift+F", on=True
         )
         _action(passage_menu, self.tr("&Swap start and end"), commands.swap, "Ctrl+R")
+        _action(passage_menu, self.tr("&How she is sailed…"), commands.options, "Ctrl+Shift+O")
         _action(help_menu, self.tr("&About SeaCruise"), commands.about, "F1")
-
-    def _add_undo(self, menu: QMenu, undo: QUndoStack) -> None:
-        back = undo.createUndoAction(self, self.tr("&Undo"))
-        forth = undo.createRedoAction(self, self.tr("&Redo"))
-        back.setShortcut(QKeySequence("Ctrl+Z"))
-        forth.setShortcut(QKeySequence("Ctrl+Shift+Z"))
-        menu.addActions([back, forth])
 
     def _layers(self, menu: QMenu, show: Command) -> dict[str, QAction]:
         return {
             "wind": _switch(menu, self.tr("&Wind barbs"), show, "Ctrl+Shift+W", on=True),
             "field": _switch(menu, self.tr("Wind as &field of colour"), show, "Ctrl+Shift+C", on=False),
+            "depths": _switch(menu, self.tr("&Depth tint"), show, "Ctrl+Shift+D", on=True),
             "isochrones": _switch(menu, self.tr("Lines of e&qual time"), show, "Ctrl+Shift+I", on=False),
+            "others": _switch(menu, self.tr("Othe&r ways"), show, "Ctrl+Shift+A", on=False),
             "nights": _switch(menu, self.tr("Day and &night"), show, "Ctrl+Shift+N", on=True),
             "zones": _switch(menu, self.tr("&Zones to keep out of"), show, "Ctrl+Shift+X", on=True),
             "ports": _switch(menu, self.tr("&Ports"), show, "Ctrl+Shift+P", on=True),
             "lattice": _switch(menu, self.tr("&Lattice"), show, "Ctrl+Shift+L", on=False),
-            "legs": _switch(menu, self.tr("Table of l&egs"), show, "Ctrl+Shift+T", on=True),
+            "legs": _switch(menu, self.tr("L&egs, weather, log"), show, "Ctrl+Shift+T", on=True),
             "measure": _switch(menu, self.tr("&Measure"), show, "Ctrl+M", on=False),
         }
 

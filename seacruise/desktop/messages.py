@@ -29,17 +29,28 @@ class WayOut(Enum):
     DEPARTURE = "departure"
     SHOW_PLACE = "show-place"
     ENGINE = "engine"
+    WEATHER = "weather"
+    OPTIONS = "options"
+    FORM = "form"
+    ABOUT = "about"
 
 
 @dataclass(frozen=True, slots=True)
 class Message:
-    """A banner: ``sentence`` says what was wrong and where, ``advice`` what to do."""
+    """A banner: ``sentence`` says what was wrong and where, ``advice`` what to do.
+
+    Attributes
+    ----------
+    way_out, other
+        What its buttons do; ``other`` is the second choice.
+    """
 
     kind: Literal["info", "warning", "error"]
     title: str
     sentence: str
     advice: str = ""
     way_out: WayOut = WayOut.NOTHING
+    other: WayOut = WayOut.NOTHING
 
 
 def tr(text: str) -> str:
@@ -47,92 +58,150 @@ def tr(text: str) -> str:
     return QCoreApplication.translate("messages", text)
 
 
-def _known() -> dict[str, tuple[str, str, WayOut]]:
-    """Title, advice and way out by the reason of an error."""
+_Known = tuple[str, str, WayOut, WayOut]
+
+
+def _known() -> dict[str, _Known]:
+    """Title, advice, and two ways out by the reason of an error."""
+    return _of_the_passage() | _of_the_weather() | _of_the_program()
+
+
+def _of_the_passage() -> dict[str, _Known]:
     return {
-        "bad-input": (tr("Please check what was given"), "", WayOut.NOTHING),
-        "not-written": (tr("The file was not saved"), "", WayOut.NOTHING),
         "same-port": (
             tr("Start and end are the same"),
             tr("Type another destination, or use right-click on the chart."),
+            WayOut.FORM,
             WayOut.NOTHING,
         ),
-        "departure": (tr("The forecast does not cover this departure"), "", WayOut.DEPARTURE),
+        "departure": (
+            tr("The forecast does not cover this departure"),
+            "",
+            WayOut.DEPARTURE,
+            WayOut.WEATHER,
+        ),
         "becalmed": (
             tr("No passage: becalmed"),
             tr("Leave at another time, or let the engine help in light wind."),
             WayOut.ENGINE,
+            WayOut.NOTHING,
         ),
         "no-water-path": (
             tr("No passage: no way by water"),
             tr("Choose a neighbouring port, or a position in open water."),
             WayOut.SHOW_PLACE,
+            WayOut.FORM,
         ),
         "wind-limit": (
             tr("No passage: too much wind"),
             tr("Raise your limit of wind if the crew can stand it, or leave at another time."),
             WayOut.SHOW_PLACE,
+            WayOut.OPTIONS,
         ),
         "dead-angle": (
             tr("No passage: dead against the wind"),
             tr("Allow tacking, or leave at another time."),
             WayOut.SHOW_PLACE,
+            WayOut.OPTIONS,
+        ),
+        "closed-zone": (
+            tr("No passage: a closed area"),
+            tr("Leave when it is open, or take it off the chart: right-click on it, or Ctrl+Z."),
+            WayOut.SHOW_PLACE,
+            WayOut.NOTHING,
         ),
         "outside-forecast": (
             tr("No passage: outside the forecast"),
             tr("Choose ports and a departure that the forecast covers."),
             WayOut.DEPARTURE,
+            WayOut.WEATHER,
         ),
+    }
+
+
+def _of_the_weather() -> dict[str, _Known]:
+    return {
         "no-network": (
             tr("No connection to the weather service"),
             tr("Check the network and try again; until then there is practice weather."),
             WayOut.RETRY,
+            WayOut.PRACTICE,
         ),
         "timeout": (
             tr("The weather service does not answer"),
             tr("Try again in a moment; until then there is practice weather."),
             WayOut.RETRY,
+            WayOut.PRACTICE,
         ),
         "no-key": (
             tr("Storm Glass needs a key"),
             tr("Paste one on the weather page (F3); without a key there is Open-Meteo, or practice weather."),
             WayOut.PRACTICE,
+            WayOut.WEATHER,
         ),
         "bad-key": (
             tr("Storm Glass does not accept the key"),
             tr("Check it on the weather page (F3); until then there is practice weather."),
             WayOut.PRACTICE,
+            WayOut.WEATHER,
         ),
         "quota": (
             tr("Today's requests are spent"),
             tr("The count starts again at 00:00 UTC; until then use a file or practice weather."),
             WayOut.PRACTICE,
+            WayOut.WEATHER,
         ),
         "too-often": (
             tr("The weather service is asked too often"),
             tr("Try again in a few minutes; until then use a file or practice weather."),
             WayOut.RETRY,
+            WayOut.PRACTICE,
         ),
         "bad-response": (
             tr("The weather cannot be used"),
             tr("Try again later, or choose another forecast."),
             WayOut.RETRY,
+            WayOut.WEATHER,
         ),
-        "internal": (tr("Something went wrong inside SeaCruise"), "", WayOut.NOTHING),
+    }
+
+
+def _of_the_program() -> dict[str, _Known]:
+    return {
+        "bad-input": (tr("Please check what was given"), "", WayOut.FORM, WayOut.NOTHING),
+        "not-written": (
+            tr("The file was not saved"),
+            tr("Choose another folder or name; the passage is still here."),
+            WayOut.NOTHING,
+            WayOut.NOTHING,
+        ),
+        "damaged": (
+            tr("Something that was saved is damaged"),
+            tr("Everything else is as it was."),
+            WayOut.NOTHING,
+            WayOut.NOTHING,
+        ),
+        "internal": (
+            tr("Something went wrong inside SeaCruise"),
+            tr("What you entered is still here. For a report: versions and seacruise.log, see About."),
+            WayOut.ABOUT,
+            WayOut.NOTHING,
+        ),
     }
 
 
 def message_for(error: SeaCruiseError) -> Message:
     """Message for an error; its own sentence is always part of it."""
-    known = _known()
-    title, advice, way_out = known.get(_cause(error)) or (
+    title, advice, *ways = _known().get(_cause(error)) or (
         tr("No passage") if isinstance(error, NoPassageError) else tr("That did not work"),
         "",
         WayOut.NOTHING,
+        WayOut.NOTHING,
     )
-    if way_out is WayOut.SHOW_PLACE and getattr(error, "place", None) is None:
-        way_out = WayOut.NOTHING
-    return Message("error", title, str(error), advice, way_out)
+    if getattr(error, "place", None) is None:
+        ways = [way for way in ways if way is not WayOut.SHOW_PLACE]
+    first, second, *_ = [*ways, WayOut.NOTHING, WayOut.NOTHING]
+    return Message("error", title, str(error), advice, first, second)
 
 
 def _cause(error: SeaCruiseError) -> str:
@@ -150,6 +219,10 @@ def way_out_text(way_out: WayOut) -> str:
         WayOut.DEPARTURE: tr("Use the first hour covered"),
         WayOut.SHOW_PLACE: tr("Show the place"),
         WayOut.ENGINE: tr("Motor below 3 kn"),
+        WayOut.WEATHER: tr("Weather…"),
+        WayOut.OPTIONS: tr("Change the limits…"),
+        WayOut.FORM: tr("To the form"),
+        WayOut.ABOUT: tr("About SeaCruise…"),
     }.get(way_out, "")
 
 

@@ -67,7 +67,7 @@ class PortField(QLineEdit):
         InputError
             What is wrong with the text, and which ports come close.
         """
-        return find_port(self.text(), self._ports)
+        return self._port or find_port(self.text(), self._ports)
 
     def set_position(self, lat: float, lon: float) -> None:
         """Name a position instead of a port [degrees]."""

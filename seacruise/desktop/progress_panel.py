@@ -8,6 +8,7 @@ from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QFrame, QGridLayout, QHBoxLayout, QLabel, QProgressBar, QVBoxLayout, QWidget
 
 from seacruise.desktop.banner import text_label
+from seacruise.desktop.language import fill, sentence
 from seacruise.desktop.state import STAGES, Progress
 from seacruise.desktop.style import scaled_font
 
@@ -73,7 +74,7 @@ class ProgressPanel(QFrame):
         self._ticker.stop()
 
     def _tick(self) -> None:
-        self.elapsed.setText(self.tr("{n:.1f} s").format(n=time.monotonic() - self._begun))
+        self.elapsed.setText(fill(self.tr("{n:.1f} s"), n=time.monotonic() - self._begun))
 
     def show_progress(self, progress: Progress) -> None:
         """Show how far it is; the bar is the stages behind and the share of the running one."""
@@ -89,7 +90,7 @@ class ProgressPanel(QFrame):
                     label.setProperty("stage", how)
                     label.style().unpolish(label)
                     label.style().polish(label)
-        text = progress.message or self.tr("Starting…")
+        text = sentence(progress.message) or self.tr("Starting…")
         self.message.setText(text[0].upper() + text[1:])
         if progress.stage is None:
             self.bar.setRange(0, 0)

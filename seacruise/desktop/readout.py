@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QCoreApplication
 
+from seacruise.desktop import units_choice as units
 from seacruise.export.textform import format_course
 from seacruise.geodesy import great_circle_m, rhumb_course_deg, rhumb_distance_m
 from seacruise.units import METRES_PER_NM, MS_PER_KNOT
@@ -21,8 +22,8 @@ def wind_text(wind: Wind, time: float, lat: float, lon: float) -> str:
     if not bool(wind.covers(lat, lon)):
         return ""
     speed, direction = to_direction(*wind.at(time, lat, lon))
-    return _tr("wind {twd} {tws:.0f} kn").format(
-        twd=format_course(float(direction)), tws=float(speed) / MS_PER_KNOT
+    return _tr("wind {twd} {tws}").format(
+        twd=format_course(float(direction)), tws=units.wind_text(float(speed) / MS_PER_KNOT)
     )
 
 
@@ -30,7 +31,7 @@ def bearing_text(lat1: float, lon1: float, lat2: float, lon2: float) -> str:
     """Rhumb line from one position to another: ``123.4 nm 045°``."""
     miles = float(rhumb_distance_m(lat1, lon1, lat2, lon2)) / METRES_PER_NM
     course = format_course(float(rhumb_course_deg(lat1, lon1, lat2, lon2)))
-    return _tr("{miles:.1f} nm {course}").format(miles=miles, course=course)
+    return f"{units.distance_text(miles)} {course}"
 
 
 def from_start_text(name: str, start: tuple[float, float], lat: float, lon: float) -> str:

@@ -2,20 +2,25 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from datetime import datetime
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QCoreApplication, Qt, Signal
 from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QVBoxLayout, QWidget
 
+from seacruise.along import UPWIND_DEG, upwind_share, weather_along
 from seacruise.desktop.banner import Banner, text_label
-from seacruise.desktop.departure_field import format_moment
+from seacruise.desktop.language import fill, sentence
 from seacruise.desktop.messages import Message, age_h, format_age, is_forecast, notices_of
 from seacruise.desktop.style import scaled_font
+from seacruise.desktop.units_choice import distance_text, moment_text, wind_text
 from seacruise.export.textform import format_duration, title, to_minute
+from seacruise.sun import night_hours
 
 if TYPE_CHECKING:
     from seacruise.passage import Passage
+    from seacruise.weather.wind import Wind
 
 
 class ResultPanel(QFrame):
@@ -32,12 +37,14 @@ class ResultPanel(QFrame):
         self.arrival = text_label("", "", self)
         self._facts = QGridLayout()
         self._facts.setHorizontalSpacing(10)
-        self._facts.setVerticalSpacing(4)
+        self._facts.setVerticalSpacing(3)
         self._facts.setColumnStretch(1, 1)
         self._rows: list[tuple[QLabel, QLabel]] = []
         self._banners: list[Banner] = []
-        self._notices = QVBoxLayout()
-        self._notices.setSpacing(6)
+        # What must be known before the figures, and what explains them, stand on either side of them.
+        self._warnings, self._notices = QVBoxLayout(), QVBoxLayout()
+        for column in (self._warnings, self._notices):
+            column.setSpacing(6)
         self.checks = text_label("", "good", self)
         self.source = text_label("", "hint", self)
         self.fine_print = text_label(
@@ -50,19 +57,27 @@ class ResultPanel(QFrame):
         )
         self.fine_print.setFont(scaled_font(self.font(), 0.9))
         layout = QVBoxLayout(self)
-        layout.setContentsMargins(16, 12, 16, 14)
-        layout.setSpacing(7)
+        layout.setContentsMargins(16, 10, 16, 12)
+        layout.setSpacing(6)
         for widget in (self.heading, self.duration, self.arrival):
             layout.addWidget(widget)
-        layout.addLayout(self._notices)
+        layout.addLayout(self._warnings)
         layout.addWidget(_rule(self))
         layout.addLayout(self._facts)
+        layout.addLayout(self._notices)
         layout.addWidget(_rule(self))
         for widget in (self.checks, self.source, self.fine_print):
             layout.addWidget(widget)
 
     def show_passage(
-        self, passage: Passage, now: datetime, *, earlier: bool, rough: bool = False, via: str = ""
+        self,
+        passage: Passage,
+        now: datetime,
+        *,
+        earlier: bool,
+        rough: bool = False,
+        via: str = "",
+        wind: Wind | None = None,
     ) -> None:
         """Show a passage.
 
@@ -74,6 +89,8 @@ class ResultPanel(QFrame):
             It was found coarsely, while a hand moves.
         via
             Place that it is led through.
+        wind
+            It was found in; its gusts are told when it has them.
         """
         head = f"{title(passage)}, {passage.yacht}"
         if earlier:
@@ -81,13 +98,13 @@ class ResultPanel(QFrame):
         else:
             self.heading.setText(self.tr("Roughly so far: {head}").format(head=head) if rough else head)
         self.duration.setText(format_duration(passage.duration_h))
-        leaves, arrives = (format_moment(to_minute(m)) for m in (passage.departure, passage.arrival))
+        leaves, arrives = (moment_text(to_minute(m)) for m in (passage.departure, passage.arrival))
         self.arrival.setText(
-            self.tr("Arrives {arrives} UTC\nDeparts {leaves} UTC").format(arrives=arrives, leaves=leaves)
+            self.tr("Departs {leaves}\nArrives {arrives}").format(arrives=arrives, leaves=leaves)
         )
         self.setAccessibleName(f"{head}: {self.duration.text()}, {self.arrival.text()}")
         self._show_notices(notices_of(passage, now))
-        self._show_facts(passage, via)
+        self._show_facts(facts_of(passage, via, wind))
         self._show_trust(passage, now)
 
     def _show_notices(self, messages: list[Message]) -> None:
@@ -95,30 +112,14 @@ class ResultPanel(QFrame):
         banners = self._banners
         if len(messages) == len(banners) and all(b.say(m) for b, m in zip(banners, messages, strict=True)):
             return
+        _clear(self._warnings)
         _clear(self._notices)
         self._banners = [Banner(message, self) for message in messages]
         for banner in self._banners:
             banner.way_out_chosen.connect(self.way_out_chosen)
-            self._notices.addWidget(banner)
+            (self._notices if banner.message.kind == "info" else self._warnings).addWidget(banner)
 
-    def _show_facts(self, passage: Passage, via: str) -> None:
-        facts = [
-            (self.tr("Distance"), self.tr("{n:.1f} nm").format(n=passage.distance_nm)),
-            (self.tr("Direct distance"), self.tr("{n:.1f} nm").format(n=passage.direct_distance_nm)),
-            (self.tr("Mean speed"), self.tr("{n:.1f} kn").format(n=passage.mean_speed_kn)),
-            (self.tr("Strongest wind"), self.tr("{n:.0f} kn").format(n=passage.max_tws_kn)),
-            (
-                self.tr("Tacks and gybes"),
-                self.tr("{t} and {g}").format(t=passage.tacks, g=passage.gybes),
-            ),
-        ]
-        if via:
-            facts.insert(0, (self.tr("By way of"), via))
-        if passage.motor_h > 0:
-            used = self.tr("{t}, {f:.0f} l").format(t=format_duration(passage.motor_h), f=passage.fuel_l)
-            facts.append((self.tr("Under engine"), used))
-        if passage.beyond_forecast_h > 0:
-            facts.append((self.tr("Beyond the forecast"), format_duration(passage.beyond_forecast_h)))
+    def _show_facts(self, facts: list[Fact]) -> None:
         while len(self._rows) < len(facts):
             self._add_row()
         for row, (left, right) in enumerate(self._rows):
@@ -126,8 +127,10 @@ class ResultPanel(QFrame):
             left.setVisible(shown)
             right.setVisible(shown)
             if shown:
-                left.setText(facts[row][0])
-                right.setText(facts[row][1])
+                left.setText(facts[row].name)
+                right.setText(facts[row].value)
+                for label in (left, right):
+                    label.setToolTip(facts[row].tip)
 
     def _add_row(self) -> None:
         left, right = QLabel(self), QLabel(self)
@@ -170,18 +173,67 @@ def _tr(text: str) -> str:
     return QCoreApplication.translate("ResultPanel", text)
 
 
+@dataclass(frozen=True, slots=True)
+class Fact:
+    """A line of the summary: a name, a value, and more about it for who asks."""
+
+    name: str
+    value: str
+    tip: str = ""
+
+
+def facts_of(passage: Passage, via: str, wind: Wind | None) -> list[Fact]:
+    """Collect what is seen of a passage at one glance, most important first."""
+    track = passage.track
+    gusts = weather_along(track, wind).gust_kn
+    strongest = wind_text(passage.max_tws_kn)
+    if gusts is not None:
+        strongest = _tr("{wind}, gusts {gusts}").format(wind=strongest, gusts=wind_text(float(gusts.max())))
+    direct = distance_text(passage.direct_distance_nm)
+    dark = night_hours(track.time, track.lat, track.lon)
+    beating, night = _tr("{percent:.0f} %"), _tr("{hours:.0f} h")
+    facts = [
+        Fact(
+            _tr("Distance"),
+            distance_text(passage.distance_nm),
+            _tr("{direct} in a straight line").format(direct=direct),
+        ),
+        Fact(_tr("Mean speed"), fill(_tr("{n:.1f} kn"), n=passage.mean_speed_kn)),
+        Fact(_tr("Strongest wind"), strongest),
+        Fact(
+            _tr("Against the wind"),
+            beating.format(percent=100.0 * upwind_share(track)),
+            _tr("Part of the time closer than {angle:.0f}° to the true wind").format(angle=UPWIND_DEG),
+        ),
+        Fact(
+            _tr("In the dark"),
+            night.format(hours=dark),
+            _tr("Hours with the sun more than 6° below the horizon"),
+        ),
+        Fact(_tr("Tacks and gybes"), _tr("{t} and {g}").format(t=passage.tacks, g=passage.gybes)),
+    ]
+    if via:
+        facts.insert(0, Fact(_tr("By way of"), via))
+    if passage.motor_h > 0:
+        used = fill(_tr("{t}, {f:.0f} l"), t=format_duration(passage.motor_h), f=passage.fuel_l)
+        facts.append(Fact(_tr("Under engine"), used))
+    if passage.beyond_forecast_h > 0:
+        facts.append(Fact(_tr("Beyond the forecast"), format_duration(passage.beyond_forecast_h)))
+    return facts
+
+
 def source_text(passage: Passage, now: datetime) -> str:
     """Source of the forecast, its age and its grid."""
     forecast = passage.forecast
-    parts = [forecast.source]
+    parts = [sentence(forecast.source)]
     if forecast.issued is not None and is_forecast(forecast):
         parts.append(
-            _tr("issued {moment} UTC, {age} ago").format(
-                moment=format_moment(forecast.issued), age=format_age(age_h(forecast.issued, now))
+            _tr("issued {moment}, {age} ago").format(
+                moment=moment_text(forecast.issued), age=format_age(age_h(forecast.issued, now))
             )
         )
     parts.append(
-        _tr("{deg:g}° grid, every {step:g} h").format(deg=forecast.resolution_deg, step=forecast.step_h)
+        fill(_tr("{deg:g}° grid, every {step:g} h"), deg=forecast.resolution_deg, step=forecast.step_h)
     )
     return _tr("Wind: {parts}.").format(parts="; ".join(parts))
 

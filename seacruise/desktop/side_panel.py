@@ -14,6 +14,7 @@ from seacruise.desktop.progress_panel import ProgressPanel
 from seacruise.desktop.result_panel import ResultPanel
 from seacruise.desktop.state import Phase, WindowState
 from seacruise.desktop.style import scaled_font
+from seacruise.desktop.units_choice import Units, units_choice
 
 
 def scroll_area(body: QWidget, width: int, parent: QWidget | None = None) -> QScrollArea:
@@ -79,10 +80,13 @@ class SidePanel(QWidget):
         self._layout.addWidget(self.progress)
         self._layout.addWidget(self.result)
         self._layout.addStretch()
-        self._pictured: tuple[Answer, bool] | None = None
+        self._shown: tuple[WindowState, Message | None, datetime] | None = None
+        units_choice().changed.connect(self._show_units)
+        self._pictured: tuple[Answer, bool, Units] | None = None
 
     def show_state(self, state: WindowState, message: Message | None, now: datetime) -> None:
         """Show a state with its message."""
+        self._shown = (state, message, now)
         computing = state.phase is Phase.COMPUTING
         if computing and self.progress.isHidden():
             self.progress.begin()
@@ -94,17 +98,22 @@ class SidePanel(QWidget):
         self._show_message(message)
         self.result.setVisible(state.answer is not None)
         if state.answer is not None:
-            shown = (state.answer, state.answer_is_earlier)
-            if self._pictured is None or shown[0] is not self._pictured[0] or shown[1] != self._pictured[1]:
+            shown = (state.answer, state.answer_is_earlier, units_choice().units)
+            if self._pictured is None or shown[0] is not self._pictured[0] or shown[1:] != self._pictured[1:]:
                 self.result.show_passage(
                     state.answer.passage,
                     now,
                     earlier=state.answer_is_earlier,
                     rough=state.answer.rough,
                     via=state.answer.question.via.name if state.answer.question.via else "",
+                    wind=state.answer.wind,
                 )
                 self._pictured = shown
         self.welcome.setVisible(not computing and message is None and state.answer is None)
+
+    def _show_units(self) -> None:
+        if self._shown is not None:
+            self.show_state(*self._shown)
 
     def _show_message(self, message: Message | None) -> None:
         if self.banner is not None:

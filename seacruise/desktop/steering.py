@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from datetime import datetime
 
-from PySide6.QtCore import QObject
+from PySide6.QtCore import QObject, Signal
 
 from seacruise.desktop.avoid import Avoided
 from seacruise.desktop.chart_pane import ChartPane
@@ -32,7 +32,11 @@ class Steering(QObject):
         Of the window.
     state
         Tells what the window shows.
+
+    ``taken_over()`` when form and chart ask what a saved passage asked: there is nothing to undo then.
     """
+
+    taken_over = Signal()
 
     def __init__(
         self,
@@ -97,12 +101,21 @@ class Steering(QObject):
 
     def take_over(self, fill: Callable[[], None], question: Question) -> None:
         """Let form, place to sail by and areas be those of a question, without sailing anything anew."""
+
+        def fill_all() -> None:
+            fill()
+            self.avoided.stack.clear()
+            self.avoided.put(question.avoid)
+
+        self.ask_again(fill_all, question.via)
+        self.taken_over.emit()
+
+    def ask_again(self, fill: Callable[[], None], via: Port | None) -> None:
+        """Let form and place to sail by be those of another question; nothing is sailed anew by that."""
         enabled, self.enabled = self.enabled, False
         try:
             fill()
-            self.via = question.via
-            self.avoided.stack.clear()
-            self.avoided.put(question.avoid)
+            self.via = via
             self._show_ends()
         finally:
             self.enabled = enabled

@@ -36,6 +36,9 @@ ERROR_INK: Final = "#8A1C1C"
 ERROR_GROUND: Final = "#FDECEA"
 ERROR_LINE: Final = "#D9746C"
 GOOD_INK: Final = "#1D6B45"
+PORT_TACK: Final = "#B3261E"
+STARBOARD_TACK: Final = "#1D6B45"
+"""Wind from port and from starboard, as the sidelights are."""
 
 _RED: Final = 12.0 / 360.0
 """Hue of everything by night."""
@@ -87,8 +90,16 @@ def tinted(colour: str, light: str) -> str:
 
 def apply_style(app: QApplication, light: str = "day") -> None:
     """Give the whole program its look for a light: Fusion, so that it is the same on every system."""
-    if app.style().objectName() != "fusion":
+    if not app.property("isFusion"):
+        # With a style sheet, the style no longer tells its name, and choosing it anew takes a frame's time.
         app.setStyle("Fusion")
+        app.setProperty("isFusion", True)
+    apply_palette(app, light)
+    app.setStyleSheet(style_sheet(light))
+
+
+def apply_palette(app: QApplication, light: str) -> None:
+    """Give the whole program the colours that are not of the style sheet."""
     hints = app.styleHints()
     if hasattr(hints, "setColorScheme"):
         hints.setColorScheme(Qt.ColorScheme.Light if light == "day" else Qt.ColorScheme.Dark)
@@ -115,7 +126,6 @@ def apply_style(app: QApplication, light: str = "day") -> None:
     for role in (roles.Text, roles.WindowText, roles.ButtonText):
         palette.setColor(QPalette.ColorGroup.Disabled, role, QColor(tinted("#8496A5", light)))
     app.setPalette(palette)
-    app.setStyleSheet(style_sheet(light))
 
 
 def scaled_font(base: QFont, factor: float, *, bold: bool = False) -> QFont:
@@ -214,7 +224,7 @@ QToolButton:focus {{ border: 2px solid {FOCUS}; padding: 3px; }}
 QToolButton:disabled {{ background: #F4F7F9; border-color: {LINE}; color: #8496A5; }}
 QToolButton#chip {{ padding: 3px 10px; border-radius: 12px; }}
 QToolButton#chip:focus {{ padding: 2px 9px; }}
-QCheckBox {{ spacing: 7px; }}
+QCheckBox {{ spacing: 7px; padding-right: 4px; }}
 QCheckBox::indicator {{ width: 15px; height: 15px; border: 1px solid {FIELD_LINE}; border-radius: 4px;
     background: {CARD}; }}
 QCheckBox::indicator:focus {{ border: 2px solid {FOCUS}; }}
@@ -231,12 +241,19 @@ QSlider::handle:horizontal {{ width: 16px; height: 16px; margin: -7px 0; border-
 QSlider::handle:horizontal:hover {{ background: {TINT}; }}
 QSlider::handle:horizontal:focus {{ border: 3px solid {FOCUS}; }}
 QSlider::handle:horizontal:disabled {{ border-color: {FIELD_LINE}; }}
-QTableView {{ background: {CARD}; border: 0; gridline-color: #E4EBF0; alternate-background-color: #F6F9FB;
-    selection-background-color: #D5E8F4; selection-color: {INK}; outline: 0; }}
-QTableView:focus {{ border: 2px solid {FOCUS}; }}
+QTableView {{ background: {CARD}; border: 2px solid {CARD}; gridline-color: #E4EBF0;
+    alternate-background-color: #F6F9FB; selection-background-color: #D5E8F4;
+    selection-color: {INK}; outline: 0; }}
+QTableView:focus {{ border-color: {FOCUS}; }}
 QHeaderView {{ background: {CARD}; }}
 QHeaderView::section {{ background: {CARD}; color: {MUTED}; border: 0; border-bottom: 1px solid {LINE};
     padding: 4px 8px; }}
+QTabBar {{ background: transparent; }}
+QTabBar::tab {{ background: transparent; color: {MUTED}; border: 0; border-bottom: 3px solid transparent;
+    padding: 5px 12px 3px 12px; }}
+QTabBar::tab:selected {{ color: {ACCENT}; border-bottom-color: {ACCENT}; }}
+QTabBar::tab:hover:!selected {{ color: {INK}; border-bottom-color: {LINE}; }}
+QTabBar:focus {{ background: {TINT}; }}
 QSplitter::handle {{ background: {LINE}; }}
 QSplitter::handle:hover {{ background: {FOCUS}; }}
 QFrame#banner[kind="info"] {{ background: {TINT}; border: 1px solid #A9CDE4; border-radius: 8px; }}
@@ -252,6 +269,7 @@ QCalendarWidget QToolButton {{ border: 0; color: {INK}; font-weight: 600; }}
 QCalendarWidget QToolButton#qt_calendar_prevmonth {{ qproperty-icon: url({icons}/chevron-left.svg); }}
 QCalendarWidget QToolButton#qt_calendar_nextmonth {{ qproperty-icon: url({icons}/chevron-right.svg); }}
 QCalendarWidget QAbstractItemView {{ selection-background-color: {ACCENT}; selection-color: #FFFFFF; }}
+QCalendarWidget QTableView, QCalendarWidget QTableView:focus {{ border: 0; }}
 QScrollBar:vertical {{ background: transparent; width: 11px; margin: 0; }}
 QScrollBar:horizontal {{ background: transparent; height: 11px; margin: 0; }}
 QScrollBar::handle {{ background: #B7C7D3; border-radius: 4px; margin: 2px;

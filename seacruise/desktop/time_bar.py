@@ -11,8 +11,9 @@ from PySide6.QtGui import QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QSlider, QToolButton, QWidget
 
 from seacruise.desktop.daylight import Light, light_along, spans
-from seacruise.desktop.departure_field import format_moment
+from seacruise.desktop.elided import ElidedLabel
 from seacruise.desktop.style import scaled_font, show_icon
+from seacruise.desktop.units_choice import moment_text, short_moment, units_choice
 
 if TYPE_CHECKING:
     from seacruise.desktop.state import Horizon
@@ -22,6 +23,8 @@ _TICK_MS: Final = 40
 _MINUTES_A_TICK: Final = 6
 _DEPARTURE_STEP_MIN: Final = 10
 _HANDLE_PX: Final = 20
+_SLIDER_PX: Final = 80
+_SAMPLE: Final = "Mon 30 Nov 2030 00:00 UTC+1  +100 h 00"
 _LIGHTS: Final = {Light.DAY: "#F2C14E", Light.TWILIGHT: "#7F8FA6", Light.NIGHT: "#22324A"}
 
 
@@ -89,7 +92,7 @@ class TimeBar(QFrame):
         super().__init__(parent)
         self.setObjectName("bar")
         self._begin = datetime(1970, 1, 1, tzinfo=UTC)
-        self._first = self._begin
+        self._first = self._leaves = self._begin
         self._make_departure()
         self._make_time()
         self._lay_out()
@@ -99,6 +102,7 @@ class TimeBar(QFrame):
         self.set_horizon(None)
         self.set_span(None, None)
         self._play(on=False)
+        units_choice().changed.connect(self._tell_again)
 
     def _make_departure(self) -> None:
         self.departure_slider = QSlider(Qt.Orientation.Horizontal, self)
@@ -111,7 +115,7 @@ class TimeBar(QFrame):
         self.departure_name = QLabel(self.tr("&Leaves"), self)
         self.departure_name.setObjectName("fieldName")
         self.departure_name.setBuddy(self.departure_slider)
-        self.departure_label = QLabel(self)
+        self.departure_label = ElidedLabel(self, sample=_SAMPLE)
 
     def _make_time(self) -> None:
         self.play_button = QToolButton(self)
@@ -125,13 +129,13 @@ class TimeBar(QFrame):
         self.slider.setPageStep(60)
         self.slider.valueChanged.connect(self._slid)
         self.strip = DaylightStrip(self)
-        self.label = QLabel(self)
+        self.label = ElidedLabel(self, sample=_SAMPLE)
         self.label.setFont(scaled_font(self.font(), 1.0, bold=True))
 
     def _lay_out(self) -> None:
-        sample = self.label.fontMetrics().horizontalAdvance("Mon 30 Nov 2030 00:00 UTC  +100 h 00") + 8
+        for slider in (self.slider, self.departure_slider):
+            slider.setMinimumWidth(_SLIDER_PX)
         for label in (self.label, self.departure_label):
-            label.setMinimumWidth(sample)
             label.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
         layout = QGridLayout(self)
         layout.setContentsMargins(12, 4, 14, 6)
@@ -154,7 +158,7 @@ class TimeBar(QFrame):
         for widget in (self.departure_name, self.departure_slider, self.departure_label):
             widget.setEnabled(known)
         if horizon is None:
-            self.departure_label.setText("")
+            self.departure_label.say("")
             return
         kept = self.departure
         self._first = horizon.first.astimezone(UTC)
@@ -176,13 +180,21 @@ class TimeBar(QFrame):
         self.departure_slider.setValue(steps)
         self.departure_slider.blockSignals(False)
         if self.departure_slider.isEnabled():
-            self.departure_label.setText(self._leaves(moment))
+            self._tell_departure(moment)
 
-    def _leaves(self, moment: datetime) -> str:
-        return self.tr("{moment} UTC").format(moment=format_moment(moment))
+    def _tell_departure(self, moment: datetime) -> None:
+        self._leaves = moment
+        self.departure_label.say(moment_text(moment), short_moment(moment))
+
+    def _tell_again(self) -> None:
+        """Say both moments in the zone that was chosen."""
+        if self.departure_slider.isEnabled():
+            self._tell_departure(self._leaves)
+        if self.slider.isEnabled():
+            self._tell_time()
 
     def _departure_slid(self) -> None:
-        self.departure_label.setText(self._leaves(self.departure))
+        self._tell_departure(self.departure)
         self.departure_moved.emit(self.departure)
 
     # --- time under way -----------------------------------------------------------------------------
@@ -194,7 +206,7 @@ class TimeBar(QFrame):
             widget.setEnabled(begin is not None and end is not None)
         if begin is None or end is None:
             self.slider.setRange(0, 0)
-            self.label.setText("")
+            self.label.say("")
             return
         self._begin = begin
         self.slider.setRange(0, _minutes(begin, end))
@@ -219,12 +231,15 @@ class TimeBar(QFrame):
         self.slider.setValue(round((moment - self._begin).total_seconds() / 60.0))
 
     def _slid(self, minutes: int) -> None:
-        hours, rest = divmod(minutes, 60)
-        text = self.tr("{moment} UTC  +{hours} h {minutes:02d}").format(
-            moment=format_moment(self.moment), hours=hours, minutes=rest
-        )
-        self.label.setText(text)
+        del minutes
+        self._tell_time()
         self.moved.emit(self.moment)
+
+    def _tell_time(self) -> None:
+        hours, rest = divmod(self.slider.value(), 60)
+        under_way = self.tr("+{hours} h {minutes:02d}").format(hours=hours, minutes=rest)
+        short = short_moment(self.moment)
+        self.label.say(f"{moment_text(self.moment)}  {under_way}", f"{short}  {under_way}", short)
 
     def _play(self, on: bool) -> None:
         show_icon(self.play_button, "pause" if on else "play")

@@ -13,27 +13,31 @@ from PySide6.QtCore import QTimer, Signal
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import QApplication, QMainWindow
 
-from seacruise.desktop.about import AboutDialog
 from seacruise.desktop.background import Background, Catalogue
 from seacruise.desktop.chart_pane import ChartPane
 from seacruise.desktop.compute import Answer, Fetcher, Planner, compute, fetch_wind, plan_passage
 from seacruise.desktop.dropped import dropped_files
 from seacruise.desktop.exporting import Exporter
 from seacruise.desktop.form import PassageForm
+from seacruise.desktop.habits import Habits
 from seacruise.desktop.jobs import GarbageKeeper, JobRunner, unexpected
 from seacruise.desktop.layers import Layers
-from seacruise.desktop.layout import lay_out, legs_splitter
-from seacruise.desktop.legs import LegsTable
+from seacruise.desktop.layout import lay_out, pane_splitter
+from seacruise.desktop.loading import Loading
 from seacruise.desktop.memory import WindowMemory
 from seacruise.desktop.menus import Commands, Menus
-from seacruise.desktop.messages import Message, WayOut, message_for
+from seacruise.desktop.messages import Message, message_for
 from seacruise.desktop.pages.desk import Desk
 from seacruise.desktop.pages.planning import Planning
+from seacruise.desktop.passage_pane import PassagePane
 from seacruise.desktop.side_panel import SidePanel
 from seacruise.desktop.state import Phase, WindowState
 from seacruise.desktop.status import StatusLine
 from seacruise.desktop.steering import Steering
-from seacruise.desktop.style import apply_style, show_light
+from seacruise.desktop.style import show_light
+from seacruise.desktop.undo import History
+from seacruise.desktop.wardrobe import Wardrobe
+from seacruise.desktop.ways_out import WaysOut
 from seacruise.errors import NoPassageError, SeaCruiseError
 
 if TYPE_CHECKING:
@@ -72,10 +76,11 @@ class MainWindow(QMainWindow):
         memory: WindowMemory | None = None,
     ) -> None:
         super().__init__()
-        self._settings, self._planner, self._fetcher, self._memory = settings, planner, fetcher, memory
+        self._settings, self._planner, self._fetcher = settings, planner, fetcher
         self.state = WindowState()
         self._message: Message | None = None
-        self._awaited = {"catalogue", "horizon"}
+        self.wardrobe: Wardrobe | None = None
+        self.loading = Loading("catalogue", "horizon", parent=self)
         self.jobs = JobRunner("passage", self)
         self.background = Background(settings, self)
         self.exporter = Exporter(self)
@@ -85,29 +90,28 @@ class MainWindow(QMainWindow):
         )
         self.desk = Desk(settings, self)
         self._build_menus()
-        self.layers: Layers = Layers(settings, self.menus, self.chart.view, self)
-        self.status = StatusLine(self.statusBar())
+        self.layers: Layers = Layers(settings, self.menus, self.chart.view, self, planner=planner)
+        self.status = StatusLine(self.statusBar(), self.chart.view.coast.band_at)
         self.garbage = GarbageKeeper(self._is_busy, self)
         self.planning = Planning(self, settings)
         self._connect()
         self._horizon_timer = QTimer(self)
         self._horizon_timer.setInterval(_HORIZON_EVERY_MS)
         self._horizon_timer.timeout.connect(lambda: self.background.load_horizon(self.form.forecast))
-        if memory is not None:
-            self.form.restore(memory.recall("form"))
-            self.layers.restore(memory.recall("layers"))
+        self.habits: Habits = Habits(self, memory)
         self._render()
 
     # --- building -----------------------------------------------------------------------------------
 
     def _build(self) -> None:
         self.setWindowTitle("SeaCruise")
-        self.setMinimumSize(980, 600)
+        self.setMinimumSize(560, 360)
         self.resize(1280, 800)
         self.setAcceptDrops(True)
         self.form, self.chart, self.side = PassageForm(), ChartPane(), SidePanel()
-        self.legs = LegsTable()
-        self.splitter, self.legs_frame = legs_splitter(self.chart, self.side, self.legs)
+        self.pane = PassagePane()
+        self.legs = self.pane.legs
+        self.splitter = pane_splitter(self.chart, self.side, self.pane)
         self.setCentralWidget(lay_out(self.form, self.splitter))
 
     def _build_menus(self) -> None:
@@ -128,14 +132,19 @@ class MainWindow(QMainWindow):
                 calculate=self.calculate,
                 cancel=self.cancel,
                 swap=self.form.swap_ends,
+                options=self.form.options_bar.open_dialog,
                 steer=self._steer,
                 about=self.show_about,
             ),
             self.steering.avoided.stack,
         )
+        self.pane.join(self.chart, self.menus.go_to)
+        self.history = History(self.form, self.chart, self.steering, self)
 
     def _connect(self) -> None:
         form, view = self.form, self.chart.view
+        self.loading.ready.connect(self.history.begin)
+        self.loading.ready.connect(self.ready)
         form.submitted.connect(self.calculate)
         form.cancelled.connect(self.cancel)
         form.forecast_changed.connect(self._forecast_changed)
@@ -145,28 +154,31 @@ class MainWindow(QMainWindow):
         self.jobs.failed.connect(self._failed)
         self.steering.router.routed.connect(self._rerouted)
         self.steering.router.failed.connect(self._not_rerouted)
+        self.steering.router.rested.connect(self.pane.show_answer)
         self.layers.failed.connect(self._show_trouble)
         self.layers.light_changed.connect(self._light_changed)
         background = self.background
         background.catalogue_loaded.connect(self._take_catalogue)
         background.horizon_loaded.connect(self._take_horizon)
-        background.horizon_failed.connect(self._horizon_failed)
+        background.horizon_failed.connect(partial(self._not_loaded, "horizon"))
+        background.catalogue_failed.connect(partial(self._not_loaded, "catalogue"))
         background.layers_loaded.connect(self.steering.show_layers)
         background.quota_loaded.connect(self.status.show_quota)
         background.polar_added.connect(self._polar_added)
         background.troubled.connect(self._show_trouble)
         background.warmed_up.connect(self.garbage.settle)
         self.planning.frame.turned.connect(self._show_layers)
-        self.planning.way_out_chosen.connect(self._take_way_out)
+        ways_out = WaysOut(self)
+        self.planning.way_out_chosen.connect(ways_out.take)
         self.exporter.saved.connect(self._saved)
         self.exporter.failed.connect(self._show_trouble)
-        self.side.way_out_chosen.connect(self._take_way_out)
+        self.side.way_out_chosen.connect(ways_out.take)
         self.chart.time_bar.moved.connect(self._time_moved)
         self.chart.fit_button.clicked.connect(self._fit)
-        self.legs.leg_chosen.connect(self._leg_chosen)
-        view.leg_picked.connect(self.legs.choose_leg)
+        self.pane.wanted.connect(self.planning.frame.close_pages)
+        self.pane.wanted.connect(partial(self.menus.layers["legs"].setChecked, True))
         view.pointed.connect(self.status.point)
-        view.left.connect(self.status.position.clear)
+        view.left.connect(self.status.clear_position)
         view.measuring_changed.connect(self.menus.layers["measure"].setChecked)
         self.chart.measure_button.clicked.connect(self.menus.layers["measure"].toggle)
 
@@ -191,13 +203,19 @@ class MainWindow(QMainWindow):
         """Compute what the form asks; a second press while it runs is the same press."""
         if self.state.phase is Phase.COMPUTING:
             return
+        if not self.loading.is_done:
+            self.loading.then(self.calculate)
+            self._render()
+            return
         self.steering.router.cancel()
         self.chart.view.trouble.mark(None)
         try:
             question = self.steering.question()
         except SeaCruiseError as error:
             self._set(self.state.refused(error))
+            self.habits.columns.show_column("answer")
             return
+        self.habits.note_question()
         how = partial(
             compute, question, settings=self._settings, planner=self._planner, fetcher=self._fetcher
         )
@@ -205,7 +223,9 @@ class MainWindow(QMainWindow):
 
     def cancel(self) -> None:
         """Cancel the calculation; at once, whatever the worker still does."""
-        if self.jobs.cancel():
+        if self.loading.forget():
+            self._render()
+        elif self.jobs.cancel():
             self._set(self.state.cancelled())
             self.settled.emit(self.state)
 
@@ -258,12 +278,18 @@ class MainWindow(QMainWindow):
     def _render(self) -> None:
         state = self.state
         self._message = None
-        if state.phase is Phase.FAILED and state.error is not None:
+        if self.loading.holds:
+            self._message = Message(
+                "info",
+                self.tr("Loading ports, yachts and the forecast…"),
+                self.tr("The passage is calculated as soon as they are there."),
+            )
+        elif state.phase is Phase.FAILED and state.error is not None:
             self._message = message_for(state.error)
         elif state.phase is Phase.CANCELLED:
             self._message = Message("info", self.tr("Cancelled"), self.tr("Nothing was changed."))
         self._show_side()
-        running = state.phase is Phase.COMPUTING
+        running = state.phase is Phase.COMPUTING or self.loading.holds
         self.form.set_running(running=running)
         self.menus.cancel.setEnabled(running)
         answered = state.answer is not None
@@ -288,7 +314,8 @@ class MainWindow(QMainWindow):
     def _show_answer(self, answer: Answer, *, follows: bool = False) -> None:
         """Show a passage; one that follows a hand leaves view and slider where they are."""
         passage, view, bar = answer.passage, self.chart.view, self.chart.time_bar
-        self.legs.show_passage(passage)
+        if not follows:
+            self.pane.show_answer(answer)
         self.status.show_answer(answer)
         view.show_answer(answer)
         bar.strip.show_track(passage.track)
@@ -301,7 +328,6 @@ class MainWindow(QMainWindow):
         self.chart.show_ribbon(passage.forecast.notice)
         self.steering.show_layers(answer.layers)
         self.layers.show_answer(answer)
-        self.legs_frame.setVisible(self.layers.is_on("legs") and not self.planning.frame.is_open)
 
     def show_saved(self, answer: Answer, message: Message) -> None:
         """Show a passage that was saved, as it was."""
@@ -313,18 +339,18 @@ class MainWindow(QMainWindow):
         self._show_side()
 
     def _show_layers(self) -> None:
-        free = self.state.answer is not None and not self.planning.frame.is_open
-        self.legs_frame.setVisible(free and self.layers.is_on("legs"))
+        self.pane.setVisible(self.layers.is_on("legs") and not self.planning.frame.is_open)
         self.layers.apply()
         self.chart.measure_button.setChecked(self.layers.is_on("measure"))
 
     def _light_changed(self, light: str) -> None:
-        self.legs.legs.show_light(light)
+        self.pane.show_light(light)
         self.chart.time_bar.strip.show_light(light)
         show_light(self, light)
         app = QApplication.instance()
         if isinstance(app, QApplication):
-            apply_style(app, light)
+            self.wardrobe = self.wardrobe or Wardrobe(app, self)
+            self.wardrobe.change(light)
 
     def _fit(self) -> None:
         if self.state.answer is not None:
@@ -335,14 +361,10 @@ class MainWindow(QMainWindow):
         if self.state.answer is not None:
             self.chart.view.show_time(self.state.answer, moment.timestamp())
 
-    def _leg_chosen(self, number: int) -> None:
-        answer = self.state.answer
-        self.chart.view.route.choose_leg(None if number < 0 else number)
-        if answer is not None and 0 <= number < len(answer.passage.waypoints):
-            self.chart.time_bar.set_moment(answer.passage.waypoints[number].time)
-
     def show_about(self) -> None:
         """Open the dialog about the program."""
+        from seacruise.desktop.about import AboutDialog
+
         AboutDialog(self._settings.data_dir, self).open()
 
     # --- what was loaded ----------------------------------------------------------------------------
@@ -357,47 +379,32 @@ class MainWindow(QMainWindow):
                 "warning", self.tr("Some polars cannot be used"), "\n".join(catalogue.problems)
             )
             self._show_side()
-        self._loaded("catalogue")
+        self.loading.end("catalogue")
 
     def _forecast_changed(self) -> None:
         self.form.departure.set_horizon(None, datetime.now(UTC))
         self.chart.time_bar.set_horizon(None)
+        self.loading.begin("horizon")
         self.background.load_horizon(self.form.forecast)
 
     def _take_horizon(self, horizon: Horizon) -> None:
         self.form.departure.set_horizon(horizon, datetime.now(UTC))
         self.chart.time_bar.set_horizon(horizon)
         self.chart.time_bar.set_departure(self.form.departure.moment)
-        self._loaded("horizon")
+        self.loading.end("horizon")
 
-    def _horizon_failed(self, error: SeaCruiseError) -> None:
+    def _not_loaded(self, what: str, error: SeaCruiseError) -> None:
+        """Show why something is not there; without ports there is no use in waiting on."""
+        if what == "catalogue" and self.loading.forget():
+            self._render()
+        self.loading.end(what)
         self._show_trouble(error)
-        self._loaded("horizon")
-
-    def _loaded(self, what: str) -> None:
-        if what in self._awaited:
-            self._awaited.discard(what)
-            if not self._awaited:
-                self.ready.emit()
 
     def _polar_added(self, name: str) -> None:
         self.background.load_catalogue(name)
         self.status.say(self.tr("{yacht} is in your fleet now.").format(yacht=name), 6.0)
 
     # --- ways out and files -------------------------------------------------------------------------
-
-    def _take_way_out(self, way_out: WayOut) -> None:
-        match way_out:
-            case WayOut.PRACTICE:
-                self.form.set_forecast(("practice",))
-            case WayOut.DEPARTURE:
-                self.form.departure.use_first_hour(datetime.now(UTC))
-            case WayOut.ENGINE:
-                self.form.use_engine()
-            case WayOut.SHOW_PLACE if isinstance(self.state.error, NoPassageError) and self.state.error.place:
-                self.chart.view.show_place(*self.state.error.place)
-            case WayOut.RETRY:
-                self.calculate()
 
     def _export(self, form: str) -> None:
         if self.state.answer is not None:
@@ -424,18 +431,14 @@ class MainWindow(QMainWindow):
 
     def closeEvent(self, event: QCloseEvent) -> None:
         """Remember, cancel, and leave; a calculation that runs is dropped cleanly."""
-        if self._memory is not None:
-            self._memory.keep("form", self.form.contents())
-            self._memory.keep("layers", self.layers.contents())
-            self._memory.keep_geometry(self, self.splitter)
-            self._memory.flush()
+        self.habits.keep()
         self.hide()
         self._horizon_timer.stop()
         self.garbage.stop()
         self.jobs.shut_down()
         self.steering.router.shut_down()
         self.planning.shut_down()
-        self.layers.jobs.shut_down()
+        self.layers.shut_down()
         self.chart.view.painter_jobs.shut_down()
         self.background.shut_down()
         self.desk.shut_down()

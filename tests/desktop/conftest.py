@@ -3,15 +3,19 @@
 from __future__ import annotations
 
 import threading
+import time
 from collections.abc import Callable, Iterator
 from datetime import UTC, datetime
+from itertools import pairwise
 from typing import Any
 
 import pytest
+from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QApplication, QLabel
 from pytestqt.qtbot import QtBot
 
-from seacruise.desktop.compute import Question
+from seacruise.desktop.chart.view import ChartView
+from seacruise.desktop.compute import Answer, Question
 from seacruise.desktop.memory import WindowMemory
 from seacruise.desktop.style import apply_style
 from seacruise.desktop.window import MainWindow
@@ -112,6 +116,64 @@ def answered(window: MainWindow, planner: HeldPlanner, qtbot: QtBot) -> MainWind
         window.calculate()
     planner.gate.clear()
     return window
+
+
+@pytest.fixture
+def view(app: QApplication, qtbot: QtBot) -> Iterator[ChartView]:
+    """A chart of its own."""
+    view = ChartView()
+    qtbot.addWidget(view)
+    view.resize(800, 600)
+    view.show()
+    yield view
+    view.painter_jobs.shut_down()
+
+
+@pytest.fixture
+def answer(view: ChartView) -> Answer:
+    """A passage that the chart shows."""
+    question: Question = None  # type: ignore[assignment]  # the chart does not look at it
+    answer = Answer(hand_made_passage(), veering_wind(), question)
+    view.show_answer(answer)
+    view.fit_passage(answer)
+    return answer
+
+
+def settle(view: ChartView, qtbot: QtBot) -> None:
+    """Wait until the picture of a chart is complete."""
+    qtbot.waitUntil(lambda: view.is_settled, timeout=30_000)
+
+
+class Heart:
+    """Beats every 5 ms on the window's thread, and finds its longest pause.
+
+    A pause counts by the clock or by what that thread itself did on its processor, whichever is less: while
+    other programs have the machine, nobody here holds the window up.
+    """
+
+    LIMIT_S = 0.050
+
+    def __init__(self) -> None:
+        self.beats: list[tuple[float, float]] = []
+        self._timer = QTimer()
+        self._timer.timeout.connect(self._beat)
+
+    def _beat(self) -> None:
+        self.beats.append((time.perf_counter(), time.thread_time()))
+
+    def __enter__(self) -> Heart:
+        self._beat()
+        self._timer.start(5)
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._timer.stop()
+        self._beat()
+
+    @property
+    def worst_s(self) -> float:
+        """Longest pause [s]."""
+        return max(min(b[0] - a[0], b[1] - a[1]) for a, b in pairwise(self.beats))
 
 
 def texts_of(window: MainWindow) -> str:

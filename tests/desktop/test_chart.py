@@ -1,7 +1,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
 
 import numpy as np
 import pytest
@@ -9,46 +8,22 @@ import shapely
 from hypothesis import given
 from hypothesis import strategies as st
 from PySide6.QtCore import QPoint, QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QWheelEvent
+from PySide6.QtGui import QColor, QImage, QWheelEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from seacruise.desktop.chart import palette
-from seacruise.desktop.chart.barbs import barb_counts, direction_class, make_barb
+from seacruise.desktop.chart.barbs import barb_counts, direction_classes, make_barb
 from seacruise.desktop.chart.graticule import angle_label, scale_bar, step_minutes
 from seacruise.desktop.chart.land import LandCells, cell_box, clip_ring
 from seacruise.desktop.chart.plane import CHARTED, point, position, rectangle
 from seacruise.desktop.chart.ports_layer import rank_by_room
 from seacruise.desktop.chart.view import ChartView
 from seacruise.desktop.chart.wind_layer import LEAST_PX, spacing_m
-from seacruise.desktop.compute import Answer, Question
+from seacruise.desktop.compute import Answer
 from seacruise.geodesy import rhumb_distance_m
 from seacruise.ports import Port
-from tests.passages import hand_made_passage, veering_wind
-
-
-@pytest.fixture
-def view(app: QApplication, qtbot: QtBot) -> Iterator[ChartView]:
-    view = ChartView()
-    qtbot.addWidget(view)
-    view.resize(800, 600)
-    view.show()
-    yield view
-    view.painter_jobs.shut_down()
-
-
-@pytest.fixture
-def answer(view: ChartView) -> Answer:
-    question: Question = None  # type: ignore[assignment]  # the chart does not look at it
-    answer = Answer(hand_made_passage(), veering_wind(), question)
-    view.show_answer(answer)
-    view.fit_passage(answer)
-    return answer
-
-
-def settle(view: ChartView, qtbot: QtBot) -> None:
-    qtbot.waitUntil(lambda: view.is_settled, timeout=30_000)
+from tests.desktop.conftest import settle
 
 
 def colour_at(view: ChartView, lat: float, lon: float) -> QColor:
@@ -104,7 +79,10 @@ def test_a_barb_shows_its_speed(fives: int) -> None:
 
 @given(st.floats(0.0, 360.0))
 def test_the_nearest_of_72_directions(direction: float) -> None:
-    assert abs((direction_class(direction) * 5.0 - direction + 180.0) % 360.0 - 180.0) <= 2.5 + 1e-9
+    assert (
+        abs((int(direction_classes(np.array(direction))) * 5.0 - direction + 180.0) % 360.0 - 180.0)
+        <= 2.5 + 1e-9
+    )
 
 
 @given(st.floats(1e-5, 0.4))
@@ -124,7 +102,7 @@ def test_angles_are_degrees_and_minutes() -> None:
 @given(st.floats(1.0, 1e5))
 def test_lines_of_the_graticule_do_not_crowd(pixels_per_degree: float) -> None:
     step = step_minutes(pixels_per_degree)
-    assert step / 60.0 * pixels_per_degree >= 110.0 or step == 600
+    assert step / 60.0 * pixels_per_degree >= 110.0 or step == 3600
 
 
 @given(st.floats(1e-4, 0.2), st.floats(54.0, 65.0))
@@ -361,3 +339,67 @@ def test_the_lattice_darkens_the_water(view: ChartView, qtbot: QtBot) -> None:
     settle(view, qtbot)
     shades = [colour_at(view, 57.013 + d / 2000, 19.913).lightness() for d in range(-3, 4)]
     assert min(shades) < palette.DAY.water.lightness()
+
+
+# --- while it moves ------------------------------------------------------------------------------------
+
+
+def middle_of(view: ChartView, dx: int = 0, dy: int = 0) -> QImage:
+    """Part of the picture that nothing keeps its place in, seen from where the chart was."""
+    return view.grab().toImage().copy(300 + dx, 200 + dy, 150, 120)
+
+
+def test_a_chart_that_moves_shows_the_same_elsewhere(view: ChartView, answer: Answer, qtbot: QtBot) -> None:
+    settle(view, qtbot)
+    qtbot.waitUntil(lambda: view.easel.has_sheet, timeout=10_000)
+    drawn: list[int] = []
+    view.coast.draw, draw = lambda *_: drawn.append(1), view.coast.draw  # type: ignore[method-assign]
+    view.pan(37.0, -21.0)
+    moving = middle_of(view, -37, 21)
+    assert view.easel.is_moving
+    assert not drawn, "one picture is moved, nothing is drawn anew"
+    view.coast.draw = draw  # type: ignore[method-assign]
+    settle(view, qtbot)
+    view.pan(-37.0, 21.0)
+    settle(view, qtbot)
+    still = middle_of(view)
+    differing = sum(
+        moving.pixel(x, y) != still.pixel(x, y) for x in range(moving.width()) for y in range(moving.height())
+    )
+    assert differing < 0.02 * moving.width() * moving.height()
+
+
+def test_what_changes_is_shown_while_the_chart_moves(view: ChartView, answer: Answer, qtbot: QtBot) -> None:
+    settle(view, qtbot)
+    qtbot.waitUntil(lambda: view.easel.has_sheet, timeout=10_000)
+    view.pan(10.0, 0.0)
+    before = middle_of(view)
+    view.field.setVisible(True)
+    assert not view.easel.has_sheet
+    assert middle_of(view) != before
+
+
+def test_a_sheet_is_stretched_only_so_far(view: ChartView, answer: Answer, qtbot: QtBot) -> None:
+    settle(view, qtbot)
+    qtbot.waitUntil(lambda: view.easel.has_sheet, timeout=10_000)
+    drawn: list[int] = []
+    view.wind.draw = lambda *_: drawn.append(1)  # type: ignore[method-assign]
+    view.zoom(1.3)
+    view.grab()
+    assert not drawn
+    view.zoom(2.5)
+    view.grab()
+    assert drawn
+
+
+def test_an_end_that_is_dragged_leaves_the_names_alone(view: ChartView, answer: Answer, qtbot: QtBot) -> None:
+    ports = (Port("A", "", 57.0, 19.0), Port("B", "", 58.0, 20.0))
+    view.ports.show_ports(ports)
+    view.choose_ends({"from": ports[0]})
+    version = view.ports.version
+    view.choose_ends({"from": Port("", "", 57.1, 19.1)})
+    assert view.ports.version == version
+    at = view.viewportTransform().map(point(57.1, 19.1))
+    assert view.ports.end_at(at, view.viewportTransform()) == "from"
+    view.choose_ends({"from": Port("B", "PL", 58.0, 20.0)})
+    assert view.ports.version != version, "its name is written with the end, not with the ports"

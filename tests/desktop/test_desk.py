@@ -49,6 +49,8 @@ def test_saved_it_opens_after_a_restart_as_it_was(
     assert after.passage.notices == before.passage.notices
     assert window.state.phase is Phase.ROUTE
     assert window.legs.legs.rowCount() == len(before.passage.waypoints)
+    window.pane.show_page("log")
+    assert "Gdynia" in window.pane.log.text_of_rows()
     assert window.form.start_field.text() == "Gdynia"
     assert window.form.departure.moment == before.question.departure
     text = texts_of(window)

@@ -7,6 +7,7 @@ import threading
 import time
 from typing import Any
 
+import numpy as np
 import pytest
 from hypothesis import settings as hypothesis_settings
 from hypothesis.stateful import RuleBasedStateMachine, invariant, precondition, rule
@@ -14,6 +15,7 @@ from PySide6.QtCore import QEventLoop, QTimer
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
+from seacruise.desktop import thrift
 from seacruise.desktop.jobs import GarbageKeeper, JobRunner
 from seacruise.errors import CancelledError, WeatherError
 from seacruise.progress import Job
@@ -216,3 +218,10 @@ def test_a_cancelled_job_is_no_failure(qtbot: QtBot) -> None:
     runner.run_job(work)
     qtbot.waitUntil(lambda: not runner.is_running)
     assert not failures
+
+
+def test_memory_is_given_back_on_any_system() -> None:
+    numbers = np.arange(1_000_000, dtype=np.float64)
+    thrift.share_arenas()
+    thrift.give_back()
+    assert numbers.sum() == 999_999 * 500_000

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable
 from dataclasses import replace
 from datetime import UTC, datetime
 from itertools import pairwise
@@ -46,33 +46,10 @@ from seacruise.sea.zones import Zones
 from seacruise.settings import Settings
 from seacruise.units import METRES_PER_NM
 from seacruise.weather.wind import Forecast, Wind
-from tests.desktop.conftest import HeldPlanner, fetch_at_once, texts_of
+from tests.desktop.conftest import HeldPlanner, fetch_at_once, settle, texts_of
 from tests.passages import hand_made_passage, veering_wind
 
 MakeWindow = Callable[..., MainWindow]
-
-
-@pytest.fixture
-def view(app: QApplication, qtbot: QtBot) -> Iterator[ChartView]:
-    view = ChartView()
-    qtbot.addWidget(view)
-    view.resize(800, 600)
-    view.show()
-    yield view
-    view.painter_jobs.shut_down()
-
-
-@pytest.fixture
-def answer(view: ChartView) -> Answer:
-    question: Question = None  # type: ignore[assignment]  # the chart does not look at it
-    answer = Answer(hand_made_passage(), veering_wind(), question)
-    view.show_answer(answer)
-    view.fit_passage(answer)
-    return answer
-
-
-def settle(view: ChartView, qtbot: QtBot) -> None:
-    qtbot.waitUntil(lambda: view.is_settled, timeout=30_000)
 
 
 def pixel(view: ChartView, lat: float, lon: float, shift: tuple[int, int] = (0, 0)) -> QColor:
@@ -374,7 +351,7 @@ def test_via_is_set_dragged_and_dropped(
     view.end_picked.emit("via", 57.0, 19.5)
     qtbot.waitUntil(lambda: not window.steering.router.is_busy)
     assert planner.requests[-2].end.lat == 57.0
-    assert "via" in view.ports._chosen
+    assert "via" in view.ports.chosen
     at = view.viewportTransform().map(point(57.0, 19.5))
     assert view.ports.end_at(at, view.viewportTransform()) == "via"
     view.via_dropped.emit()
@@ -460,7 +437,7 @@ def test_the_pointer_tells_wind_and_distance(window_with_route: MainWindow) -> N
     wind = veering_wind()
     assert said.startswith("57°00.0'N 019°30.0'E")
     assert wind_text(wind, window.chart.time_bar.moment.timestamp(), 57.0, 19.5) in said
-    assert said.endswith("from Gdynia")
+    assert "from Gdynia" in said
 
 
 def test_words_of_the_readout(app: QApplication) -> None:
@@ -523,7 +500,7 @@ def test_the_light_is_switched_and_remembered(
         assert window.chart.view.coast.colours is NIGHT
         window.chart.view.show_place(57.0, 19.9)
         settle(window.chart.view, qtbot)
-        assert pixel(window.chart.view, 57.0, 19.9) == NIGHT.water
+        assert pixel(window.chart.view, 57.0, 19.9) in NIGHT.depths
         assert luminance(app.palette().window().color()) < 0.05
         window.close()
         second = make_window(memory=WindowMemory(settings.data_dir), fill=False)
@@ -594,7 +571,7 @@ def test_labels_on_the_chart_do_not_collide(view: ChartView, answer: Answer, qtb
     settle(view, qtbot)
     view.zones.show_zones(Zones((circle(57.0, 19.5, 10.0, "a shoal with a name"),)))
     taken: list[QRectF] = []
-    begin, claim = view.labels.begin, view.labels.claim
+    begin, claim = view.easel.labels.begin, view.easel.labels.claim
 
     def begin_anew(view: QRectF, places: Iterable[QRectF] = ()) -> None:
         taken.clear()
@@ -607,11 +584,11 @@ def test_labels_on_the_chart_do_not_collide(view: ChartView, answer: Answer, qtb
             taken.append(place)
         return place
 
-    view.labels.begin = begin_anew  # type: ignore[assignment, method-assign]
-    view.labels.claim = watch  # type: ignore[method-assign]
+    view.easel.labels.begin = begin_anew  # type: ignore[assignment, method-assign]
+    view.easel.labels.claim = watch  # type: ignore[method-assign]
     view.grab()
     assert len(taken) >= 8
-    assert {"a shoal with a name"} <= {label.text for label in view.labels.written}
+    assert {"a shoal with a name"} <= {label.text for label in view.easel.labels.written}
 
 
 # --- fixtures --------------------------------------------------------------------------------------------

@@ -261,7 +261,7 @@ def test_files_that_are_dropped_are_read_and_shown(page: WeatherPage, qtbot: QtB
     with qtbot.waitSignals([page.file_read, page.file_read], timeout=60_000):
         drop(page, SAMPLE, str(broken))
     good, bad = page.files[SAMPLE], page.files[str(broken)]
-    assert "20 Nov 2016 00:00 – 22 Nov 2016 00:00 UTC" in said(good)
+    assert "Sun 20 Nov 2016 00:00 – Tue 22 Nov 2016 00:00 UTC" in said(good)
     assert "52.0 to 67.0 N, 7.0 to 32.0 E" in said(good)
     assert "Gives wind" in said(good)
     assert bad.status.text() == "cannot be used"
@@ -329,7 +329,7 @@ def test_a_mean_takes_two_and_their_weights(page: WeatherPage, qtbot: QtBot) -> 
     assert not page.mean_button.isEnabled()
     page.cards["metno"].mix_box.click()
     page.cards["open-meteo"].weight_box.setValue(3.0)
-    assert "Open-Meteo 75%, MET Norway 25%" in page.mean_text.text()
+    assert "Open-Meteo 75 %, MET Norway 25 %" in page.mean_text.text()
     with qtbot.waitSignal(page.mean_chosen, timeout=5000) as caught:
         page.mean_button.click()
     assert caught.args == [("open-meteo", "metno"), (3.0, 1.0)]

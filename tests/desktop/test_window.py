@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-import threading
 import time
 from collections.abc import Callable
 from itertools import pairwise
@@ -16,7 +15,6 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog
 from pytestqt.qtbot import QtBot
 
-from seacruise.desktop.app import _faults_shown
 from seacruise.desktop.exporting import save_image
 from seacruise.desktop.memory import WindowMemory
 from seacruise.desktop.messages import WayOut
@@ -56,7 +54,7 @@ def test_from_a_click_to_a_route(window: MainWindow, planner: HeldPlanner, qtbot
         assert word in said
     assert passage.forecast.source in said
     assert window.legs.legs.rowCount() == len(passage.waypoints)
-    assert window.legs_frame.isVisible()
+    assert window.pane.isVisible()
     assert window.chart.ribbon.text() == passage.forecast.notice
     assert not window.chart.ribbon.isHidden()
 
@@ -73,16 +71,6 @@ def test_progress_is_told_by_stage(window: MainWindow, planner: HeldPlanner, qtb
     assert window.form.cancel_button.isEnabled()
 
 
-def test_a_double_click_is_one_calculation(window: MainWindow, planner: HeldPlanner, qtbot: QtBot) -> None:
-    QTest.mouseDClick(window.form.calculate_button, Qt.MouseButton.LeftButton)
-    press_calculate(window)
-    window.calculate()
-    qtbot.waitUntil(planner.begun.is_set)
-    planner.gate.set()
-    qtbot.waitUntil(lambda: window.state.phase is Phase.ROUTE)
-    assert len(planner.requests) == 1
-
-
 def test_cancel_answers_at_once(window: MainWindow, planner: HeldPlanner, qtbot: QtBot) -> None:
     press_calculate(window)
     qtbot.waitUntil(planner.begun.is_set)
@@ -91,42 +79,6 @@ def test_cancel_answers_at_once(window: MainWindow, planner: HeldPlanner, qtbot:
     assert window.form.calculate_button.isEnabled()
     assert "Cancelled" in texts_of(window)
     qtbot.waitUntil(lambda: planner.cancelled > 0)
-
-
-def test_cancel_then_start_again_shows_the_second_only(
-    window: MainWindow, planner: HeldPlanner, qtbot: QtBot
-) -> None:
-    for _ in range(5):
-        planner.begun.clear()
-        window.calculate()
-        qtbot.waitUntil(planner.begun.is_set)
-        window.cancel()
-    window.calculate()
-    planner.gate.set()
-    qtbot.waitUntil(lambda: window.state.phase is Phase.ROUTE)
-    assert window.state.generation == window.state.answer_generation == 6
-
-
-def test_the_form_may_change_during_a_calculation(
-    window: MainWindow, planner: HeldPlanner, qtbot: QtBot
-) -> None:
-    press_calculate(window)
-    qtbot.waitUntil(planner.begun.is_set)
-    window.form.swap_ends()
-    window.form.percent_box.setValue(80.0)
-    planner.gate.set()
-    qtbot.waitUntil(lambda: window.state.phase is Phase.ROUTE)
-    assert window.state.answer is not None
-    assert window.state.answer.question.start.name == "Gdynia"
-    assert window.state.answer.question.options.percent_of_polar == 100.0
-
-
-def test_closing_during_a_calculation(window: MainWindow, planner: HeldPlanner, qtbot: QtBot) -> None:
-    press_calculate(window)
-    qtbot.waitUntil(planner.begun.is_set)
-    window.close()
-    assert not window.isVisible()
-    assert not [t for t in threading.enumerate() if t.name.startswith("passage-")]
 
 
 def test_keys_calculate_and_cancel(window: MainWindow, planner: HeldPlanner, qtbot: QtBot) -> None:
@@ -240,20 +192,6 @@ def test_a_mistake_in_the_planner_is_one_sentence(
     assert "secret" in caplog.text
 
 
-@pytest.mark.qt_no_exception_capture
-def test_a_mistake_in_a_slot_is_one_sentence(
-    window: MainWindow, qtbot: QtBot, caplog: pytest.LogCaptureFixture
-) -> None:
-    def broken() -> None:
-        raise KeyError("slot")
-
-    with _faults_shown(window):
-        QTimer.singleShot(0, broken)
-        qtbot.waitUntil(lambda: "KeyError" in texts_of(window))
-    assert "A slot broke" in caplog.text
-    assert window.isVisible()
-
-
 # --- chart and table -----------------------------------------------------------------------------------
 
 
@@ -293,7 +231,7 @@ def test_layers_are_switched(answered: MainWindow) -> None:
     answered.menus.layers["wind"].setChecked(False)
     answered.menus.layers["legs"].setChecked(False)
     assert not answered.chart.view.wind.isVisible()
-    assert answered.legs_frame.isHidden()
+    assert answered.pane.isHidden()
 
 
 # --- files and memory ----------------------------------------------------------------------------------

@@ -11,6 +11,8 @@ from dataclasses import dataclass
 from functools import lru_cache
 from typing import Final
 
+import numpy as np
+from numpy.typing import NDArray
 from PySide6.QtCore import QLineF, QPointF, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPen, QPixmap, QPolygonF, QRegion
 
@@ -73,9 +75,9 @@ def make_barb(fives: int, side: int = 1) -> Barb:
     return Barb(tuple(lines), tuple(triangles), calm=False)
 
 
-def direction_class(direction_from_deg: float) -> int:
-    """Give the number of the sprite for a direction [degrees true]; every five degrees there is one."""
-    return round(direction_from_deg / 360.0 * _DIRECTIONS) % _DIRECTIONS
+def direction_classes(direction_from_deg: NDArray[np.float64]) -> NDArray[np.int64]:
+    """Numbers of the sprites for directions [degrees true]; every five degrees there is one."""
+    return np.rint(direction_from_deg / 360.0 * _DIRECTIONS).astype(np.int64) % _DIRECTIONS
 
 
 class BarbSprites:
@@ -85,11 +87,14 @@ class BarbSprites:
     ----------
     colour, halo
         Of the strokes, and of the light rim that keeps them legible on any ground.
+    opacity
+        Of the pictures, 0 to 1.
     """
 
-    def __init__(self, colour: QColor, halo: QColor) -> None:
+    def __init__(self, colour: QColor, halo: QColor, opacity: float = 1.0) -> None:
         self._colour = colour
         self._halo = halo
+        self._opacity = opacity
         self._sprites: dict[tuple[int, int, int, float], tuple[QPixmap, float, float]] = {}
 
     def sprite(
@@ -111,11 +116,21 @@ class BarbSprites:
         painter.end()
         # Blending what is empty would take most of the time of the layer.
         box = QRegion(pixmap.mask()).boundingRect()
-        cut = pixmap.copy(box)
+        cut = _faded(pixmap.copy(box), self._opacity)
         cut.setDevicePixelRatio(density)
         middle = _SIDE_PX / 2
         made = self._sprites[key] = (cut, middle - box.left() / density, middle - box.top() / density)
         return made
+
+
+def _faded(picture: QPixmap, opacity: float) -> QPixmap:
+    """Fade a picture as a whole: strokes drawn faintly would be darker where they cross."""
+    if opacity < 1.0:
+        painter = QPainter(picture)
+        painter.setCompositionMode(QPainter.CompositionMode.CompositionMode_DestinationIn)
+        painter.fillRect(picture.rect(), QColor(0, 0, 0, round(255 * opacity)))
+        painter.end()
+    return picture
 
 
 def _stroke(painter: QPainter, barb: Barb, colour: QColor, width: float) -> None:

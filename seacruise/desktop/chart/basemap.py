@@ -1,4 +1,4 @@
-"""Picture of coast and lattice for a view, painted on a worker thread in small steps.
+"""Picture of depths, coast and lattice for a view, painted on a worker thread in small steps.
 
 `QPainter` keeps Python's lock while it fills a path: one coast of 140,000 points would hold the window
 up for 0.9 s. Cell by cell it is a millisecond at a time.
@@ -14,9 +14,10 @@ from typing import TYPE_CHECKING, Any, Final, cast
 import numpy as np
 import shiboken6
 from numpy.typing import NDArray
-from PySide6.QtCore import QLineF, QRect, QRectF, Qt
+from PySide6.QtCore import QLineF, QRectF, Qt
 from PySide6.QtGui import QBrush, QColor, QImage, QPainter, QPainterPath, QPen, QPolygonF, QTransform
 
+from seacruise.desktop.chart.depth_layer import DepthTints, pixels_of
 from seacruise.desktop.chart.land import LandCells, Points, cell_box
 from seacruise.desktop.chart.palette import DAY, Palette
 from seacruise.desktop.chart.plane import CHARTED, to_plane
@@ -26,7 +27,7 @@ if TYPE_CHECKING:
     from seacruise.progress import Job
 
 _CELL_PX: Final = 110.0
-_DEEPEST: Final = 12
+_DEEPEST: Final = 16
 _LEAST_PX: Final = 1.8
 _LEVEL_BELOW_M_PX: Final = (3600.0, 420.0)
 """Metres of the Mercator plane a pixel [m] above which level 0, and above which level 1 is fine enough."""
@@ -51,6 +52,8 @@ class Extent:
         Physical pixels per pixel.
     colours
         Of the light there is.
+    depths
+        Whether the water is tinted by its depth.
     """
 
     left: float
@@ -60,6 +63,7 @@ class Extent:
     height: int
     density: float
     colours: Palette = DAY
+    depths: bool = False
 
     def rectangle(self) -> QRectF:
         """Pictured rectangle of the plane."""
@@ -92,6 +96,8 @@ class Painter:
         # A superseded worker may still be in its last cell when the next one begins.
         self._lock = threading.Lock()
         self._levels = [LandCells(level) for level in range(CHART_LEVELS)]
+        self._world = LandCells(None)
+        self._depths = DepthTints()
         self._paths: dict[tuple[int, int, int, int], QPainterPath] = {}
 
     def paint(self, extent: Extent, lattice: NDArray[np.float32] | None, job: Job) -> Picture:
@@ -112,45 +118,52 @@ class Painter:
             QImage.Format.Format_RGB32,
         )
         image.setDevicePixelRatio(extent.density)
-        image.fill(extent.colours.water)
+        image.fill(extent.colours.uncharted)
         painter = QPainter(image)
         try:
-            self._paint_land(painter, extent, job)
-            _paint_uncharted(painter, extent)
+            if not CHARTED.contains(extent.rectangle()):
+                self._paint_land(painter, extent, self._world, 0, job)
+            charted = pixels_of(extent, CHARTED)
+            painter.fillRect(charted, extent.colours.water)
+            if extent.depths:
+                self._depths.paint(painter, extent, job)
+            metres = 1.0 / extent.scale
+            level = sum(metres < limit for limit in _LEVEL_BELOW_M_PX)
+            self._paint_land(painter, extent, self._levels[level], level + 1, job)
+            painter.setPen(QPen(extent.colours.uncharted_hatch, 1.0))
+            painter.setBrush(Qt.BrushStyle.NoBrush)
+            painter.drawRect(charted)
             if lattice is not None:
                 _paint_lattice(painter, extent, lattice, job)
         finally:
             painter.end()
         return Picture(extent, image)
 
-    def _paint_land(self, painter: QPainter, extent: Extent, job: Job) -> None:
-        metres = 1.0 / extent.scale
-        level = sum(metres < limit for limit in _LEVEL_BELOW_M_PX)
-        depth = round(math.log2(max(CHARTED.width() * extent.scale / _CELL_PX, 1.0)))
+    def _paint_land(self, painter: QPainter, extent: Extent, land: LandCells, key: int, job: Job) -> None:
+        frame = land.frame
+        depth = round(math.log2(max(frame.width() * extent.scale / _CELL_PX, 1.0)))
         depth = min(depth, _DEEPEST)
         pen = QPen(extent.colours.shore, 1.0)
         pen.setCosmetic(True)
         brush = QBrush(extent.colours.land)
         view = extent.rectangle()
         count = 2**depth
-        columns = _span(view.left(), view.right(), CHARTED.left(), CHARTED.width() / count, count)
-        rows = _span(view.top(), view.bottom(), CHARTED.top(), CHARTED.height() / count, count)
+        columns = _span(view.left(), view.right(), frame.left(), frame.width() / count, count)
+        rows = _span(view.top(), view.bottom(), frame.top(), frame.height() / count, count)
         for column in columns:
             for row in rows:
                 job.check()
-                path = self._path(level, depth, column, row)
+                west, north, east, south = cell_box(depth, column, row, frame)
+                box = QRectF(west, north, east - west, south - north)
+                if land is self._world and CHARTED.contains(box):
+                    # The fine coast will cover it.
+                    continue
+                path = self._path(land, (key, depth, column, row))
                 if path.isEmpty():
                     continue
-                west, north, east, south = cell_box(depth, column, row)
-                edges = [
-                    round((west - extent.left) * extent.scale),
-                    round((north - extent.top) * extent.scale),
-                    round((east - extent.left) * extent.scale),
-                    round((south - extent.top) * extent.scale),
-                ]
                 painter.resetTransform()
                 painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-                painter.setClipRect(QRect(edges[0], edges[1], edges[2] - edges[0], edges[3] - edges[1]))
+                painter.setClipRect(pixels_of(extent, box))
                 painter.setTransform(
                     QTransform.fromTranslate(-extent.left, -extent.top)
                     * QTransform.fromScale(extent.scale, extent.scale)
@@ -161,14 +174,14 @@ class Painter:
         painter.setClipping(False)
         painter.resetTransform()
 
-    def _path(self, level: int, depth: int, column: int, row: int) -> QPainterPath:
-        key = (level, depth, column, row)
+    def _path(self, land: LandCells, key: tuple[int, int, int, int]) -> QPainterPath:
         path = self._paths.get(key)
         if path is None:
             path = QPainterPath()
+            _, depth, column, row = key
             # At this depth a cell is about `_CELL_PX` wide, whatever the zoom is exactly.
-            least_m = _LEAST_PX * CHARTED.width() / 2**depth / _CELL_PX
-            for ring in self._levels[level].cell(depth, column, row).split(least_m):
+            least_m = _LEAST_PX * land.frame.width() / 2**depth / _CELL_PX
+            for ring in land.cell(depth, column, row).split(least_m):
                 path.addPolygon(polygon_of(ring))
                 path.closeSubpath()
             if len(self._paths) > 4000:
@@ -181,23 +194,6 @@ def _span(low: float, high: float, origin: float, size: float, count: int) -> ra
     return range(
         max(0, math.floor((low - origin) / size)), min(count, math.floor((high - origin) / size) + 1)
     )
-
-
-def _paint_uncharted(painter: QPainter, extent: Extent) -> None:
-    to_pixels = QTransform.fromTranslate(-extent.left, -extent.top) * QTransform.fromScale(
-        extent.scale, extent.scale
-    )
-    charted = to_pixels.mapRect(CHARTED)
-    beyond = QPainterPath()
-    beyond.addRect(QRectF(0, 0, extent.width, extent.height))
-    inner = QPainterPath()
-    inner.addRect(charted)
-    beyond = beyond.subtracted(inner)
-    painter.fillPath(beyond, extent.colours.uncharted)
-    painter.fillPath(beyond, QBrush(extent.colours.uncharted_hatch, Qt.BrushStyle.BDiagPattern))
-    painter.setPen(QPen(extent.colours.uncharted_hatch, 1.0))
-    painter.setBrush(Qt.BrushStyle.NoBrush)
-    painter.drawRect(charted)
 
 
 def _paint_lattice(painter: QPainter, extent: Extent, lattice: NDArray[np.float32], job: Job) -> None:

@@ -1,4 +1,4 @@
-"""Coast and lattice on the chart: the last picture at once, a fitting one as soon as it is painted."""
+"""Depths, coast and lattice on the chart: the last picture at once, a fitting one once it is painted."""
 
 from __future__ import annotations
 
@@ -11,8 +11,11 @@ from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QPainter, QTransform
 
 from seacruise.desktop.chart.basemap import Extent, Painter, Picture
+from seacruise.desktop.chart.depth_layer import strength
 from seacruise.desktop.chart.layer import Layer
 from seacruise.desktop.chart.palette import Palette
+from seacruise.desktop.chart.plane import point
+from seacruise.sea.depth import chart_depths
 
 if TYPE_CHECKING:
     from seacruise.desktop.jobs import JobRunner
@@ -42,12 +45,19 @@ class CoastLayer(Layer):
         self._wanted: Extent | None = None
         self._lattice: NDArray[np.float32] | None = None
         self._stale = True
+        self._depths = False
         runner.finished.connect(self._painted)
 
     def show_lattice(self, edges: NDArray[np.float32] | None) -> None:
         """Show the edges of a lattice ``(n, 4)``, or none."""
         if edges is not self._lattice:
             self._lattice = edges
+            self._stale = True
+
+    def show_depths(self, on: bool) -> None:
+        """Tint the water by its depth, or not."""
+        if on != self._depths:
+            self._depths = on
             self._stale = True
 
     def set_palette(self, colours: Palette) -> None:
@@ -59,6 +69,23 @@ class CoastLayer(Layer):
     def is_up_to_date(self) -> bool:
         """Whether the picture is of the present view and lattice."""
         return self._picture is not None and not self._stale and not self._runner.is_running
+
+    def covers(self, view: QRectF) -> bool:
+        """Whether the picture there is shows all of a view of the plane, sharp or not."""
+        return self._picture is not None and self._picture.extent.rectangle().contains(view)
+
+    def band_at(self, lat: float, lon: float) -> int | None:
+        """Band of depth with which a position [degrees] is tinted; ``None`` on land or without a tint."""
+        picture = self._picture
+        if picture is None or not self._depths or strength(picture.extent.scale) == 0.0:
+            return None
+        extent, at = picture.extent, point(lat, lon)
+        column, row = (
+            int(side * extent.scale * extent.density) for side in (at.x() - extent.left, at.y() - extent.top)
+        )
+        if not picture.image.valid(column, row) or picture.image.pixelColor(column, row) == self.colours.land:
+            return None
+        return chart_depths().band(lat, lon)
 
     def demand(self, view: QRectF, scale: float, size: tuple[int, int], density: float) -> None:
         """Ask for a picture of a view of the plane, unless there is one or it is being painted."""
@@ -81,6 +108,7 @@ class CoastLayer(Layer):
             height=height,
             density=density,
             colours=self.colours,
+            depths=self._depths,
         )
         painter, lattice = self._painter, self._lattice
         self._wanted, self._stale = extent, False
@@ -92,6 +120,7 @@ class CoastLayer(Layer):
 
     def _painted(self, _generation: int, picture: Picture) -> None:
         self._picture = picture
+        self.update()
         self._on_painted()
 
     def draw(self, painter: QPainter, to_pixels: QTransform, view: QRectF) -> None:

@@ -30,6 +30,8 @@ def open_menu(view: ChartView, lat: float, lon: float, at: QPoint) -> QMenu:
         _add(menu, text, partial(view.end_picked.emit, which, lat, lon))
     if view.ports.has_via:
         _add(menu, _tr("Sail &direct again"), view.via_dropped.emit)
+    for way in view.others.ways if view.others.isVisible() else ():
+        _add(menu, _tr("Sail {way}").format(way=way.text), partial(view.way_picked.emit, way))
     menu.addSeparator()
     avoid = menu.addMenu(_tr("&Avoid this area"))
     for radius in RADII_NM:

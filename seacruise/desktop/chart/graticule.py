@@ -3,21 +3,22 @@
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
-from PySide6.QtCore import QPointF, QRectF
-from PySide6.QtGui import QPainter, QPen, QTransform
+from PySide6.QtCore import QCoreApplication, QPointF, QRectF, Qt
+from PySide6.QtGui import QFont, QFontMetricsF, QPainter, QPen, QTransform
 
-from seacruise.desktop.chart.labels import Label
 from seacruise.desktop.chart.layer import Layer, halo_text, text_width
 from seacruise.desktop.chart.plane import position, to_plane
+from seacruise.desktop.language import fill
 from seacruise.geodesy import scale as true_scale
 from seacruise.units import METRES_PER_NM
 
-_STEPS_MIN: Final = (600, 300, 120, 60, 30, 20, 10, 5, 2, 1)
+_STEPS_MIN: Final = (3600, 1800, 1200, 600, 300, 120, 60, 30, 20, 10, 5, 2, 1)
 _LEAST_PX: Final = 110.0
-_SCALES_NM: Final = (200.0, 100.0, 50.0, 20.0, 10.0, 5.0, 2.0, 1.0, 0.5, 0.2, 0.1)
+_SCALES_NM: Final = (2000.0, 1000.0, 500.0, 200.0, 100.0, 50.0, 20.0, 10.0, 5.0, 2.0, 1.0, 0.5, 0.2, 0.1)
 _LONGEST_PX: Final = 150.0
 
 
@@ -34,40 +35,75 @@ def angle_label(minutes: int, positive: str, negative: str) -> str:
     return f"{degrees}°{f'{rest:02d}′' if rest else ''}{letter}"
 
 
-class GraticuleLayer(Layer):
-    """Thin lines over sea and land; labels at the left and the lower edge."""
+@dataclass(frozen=True, slots=True)
+class _Grid:
+    """Minutes of arc of meridians and parallels in a view, and where they are [pixels]."""
 
-    def draw(self, painter: QPainter, to_pixels: QTransform, view: QRectF) -> None:
-        """Draw parallels and meridians of a step that suits the zoom."""
+    meridians: list[tuple[int, float]]
+    parallels: list[tuple[int, float]]
+
+    @classmethod
+    def of(cls, to_pixels: QTransform, view: QRectF) -> _Grid:
+        """Choose a step that suits the zoom."""
         back, _ = to_pixels.inverted()
         north, west = position(back.map(view.topLeft()))
         south, east = position(back.map(view.bottomRight()))
-        per_degree = view.width() / max(east - west, 1e-9)
-        step = step_minutes(per_degree)
-        lines, labels = [], []
+        step = step_minutes(view.width() / max(east - west, 1e-9))
         meridians = np.arange(math.ceil(west * 60 / step) * step, math.floor(east * 60) + 1, step)
         parallels = np.arange(math.ceil(south * 60 / step) * step, math.floor(north * 60) + 1, step)
         x = to_pixels.m11() * to_plane(np.zeros(1), meridians / 60)[0] + to_pixels.dx()
         y = to_pixels.m22() * to_plane(parallels / 60, np.zeros(1))[1] + to_pixels.dy()
-        for minutes, at in zip(meridians.tolist(), np.rint(x).tolist(), strict=True):
-            lines.append(QRectF(at, view.top(), 1.0, view.height()))
-            labels.append((QPointF(at + 4, view.bottom() - 6), angle_label(minutes, "E", "W")))
-        for minutes, at in zip(parallels.tolist(), np.rint(y).tolist(), strict=True):
-            lines.append(QRectF(view.left(), at, view.width(), 1.0))
-            if view.top() + 14 < at < view.bottom() - 24:
-                labels.append((QPointF(view.left() + 6, at - 4), angle_label(minutes, "N", "S")))
+        return cls(
+            list(zip(meridians.tolist(), np.rint(x).tolist(), strict=True)),
+            list(zip(parallels.tolist(), np.rint(y).tolist(), strict=True)),
+        )
+
+
+class GraticuleLayer(Layer):
+    """Thin lines over sea and land."""
+
+    def draw(self, painter: QPainter, to_pixels: QTransform, view: QRectF) -> None:
+        """Draw parallels and meridians of a step that suits the zoom."""
+        grid, ink = _Grid.of(to_pixels, view), self.colours.graticule
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, on=False)
-        for line in lines:
-            # Ten times as fast as a line with a pen.
-            painter.fillRect(line, self.colours.graticule)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        height = float(painter.fontMetrics().height())
-        for at, text in labels:
-            width = text_width(painter.font(), text)
+        # Ten times as fast as a line with a pen.
+        for _, x in grid.meridians:
+            painter.fillRect(QRectF(x, view.top(), 1.0, view.height()), ink)
+        for _, y in grid.parallels:
+            painter.fillRect(QRectF(view.left(), y, view.width(), 1.0), ink)
+
+
+class DegreesLayer(Layer):
+    """Degrees of the graticule's lines, at the left and the lower edge of the view."""
+
+    def __init__(self, bounds: QRectF) -> None:
+        super().__init__(bounds)
+        self._shown: list[tuple[QPointF, str]] = []
+
+    def reserve(self, font: QFont, to_pixels: QTransform, view: QRectF) -> None:
+        """Take places for the frame to come, before anything else is written."""
+        grid, height = _Grid.of(to_pixels, view), QFontMetricsF(font).height()
+        places = [
+            (QPointF(x + 4, view.bottom() - 6), angle_label(minutes, "E", "W"))
+            for minutes, x in grid.meridians
+        ]
+        places += [
+            (QPointF(view.left() + 6, y - 4), angle_label(minutes, "N", "S"))
+            for minutes, y in grid.parallels
+            if view.top() + 14 < y < view.bottom() - 24
+        ]
+        self._shown = []
+        for at, text in places:
             # Its base line is at the point.
-            if self.labels.claim(QRectF(at.x(), at.y() - 0.75 * height, width, 0.85 * height)) is None:
-                continue
-            self.labels.write(Label(painter.font(), at, text, self.colours.graticule_text))
+            room = QRectF(at.x(), at.y() - 0.75 * height, text_width(font, text), 0.85 * height)
+            if self.labels.claim(room) is not None:
+                self._shown.append((at, text))
+
+    def draw(self, painter: QPainter, to_pixels: QTransform, view: QRectF) -> None:
+        """Write them."""
+        del to_pixels, view
+        for at, text in self._shown:
+            halo_text(painter, at, text, self.colours.graticule_text, self.colours.halo)
 
 
 def scale_bar(pixels_per_metre: float, lat: float) -> tuple[float, float]:
@@ -81,7 +117,7 @@ def scale_bar(pixels_per_metre: float, lat: float) -> tuple[float, float]:
 
 def scale_label(miles: float) -> str:
     """Text beside the scale bar."""
-    return f"{miles:g} nm"
+    return fill(QCoreApplication.translate("chart", "{miles:g} nm"), miles=miles)
 
 
 class ScaleLayer(Layer):
@@ -99,8 +135,9 @@ class ScaleLayer(Layer):
         miles, length = scale_bar(to_pixels.m11(), lat)
         left, base = view.left() + 16.0, view.bottom() - 30.0
         half = length / 2
-        painter.setPen(QPen(self.colours.halo, 5.0))
-        painter.drawLine(QPointF(left, base), QPointF(left + length, base))
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(self.colours.card)
+        painter.drawRoundedRect(QRectF(left - 8, base - 22, length + 16, 30), 6, 6)
         painter.setPen(QPen(self.colours.ink, 3.0))
         painter.drawLine(QPointF(left, base), QPointF(left + half, base))
         painter.setPen(QPen(self.colours.graticule_text, 3.0))

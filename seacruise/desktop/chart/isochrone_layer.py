@@ -13,19 +13,28 @@ from seacruise.desktop.chart.basemap import polygon_of
 from seacruise.desktop.chart.labels import Label, around
 from seacruise.desktop.chart.layer import Layer, text_width
 from seacruise.desktop.chart.plane import to_plane
+from seacruise.desktop.language import fill
 from seacruise.desktop.style import scaled_font
 
 if TYPE_CHECKING:
+    from seacruise.desktop.chart.route_layer import RouteLayer
     from seacruise.desktop.equal_time import TimeLine
 
 _TRIES: Final = 9
 
 
 class IsochroneLayer(Layer):
-    """Dashed lines, each with its hours where there is room for them."""
+    """Lines, each with its hours where there is room for them.
 
-    def __init__(self, bounds: QRectF) -> None:
+    Parameters
+    ----------
+    route
+        The passage, which no hours may cover.
+    """
+
+    def __init__(self, bounds: QRectF, route: RouteLayer) -> None:
         super().__init__(bounds)
+        self._route = route
         self._lines: list[tuple[str, list[QPolygonF]]] = []
 
     def show_lines(self, lines: Sequence[TimeLine]) -> None:
@@ -35,7 +44,7 @@ class IsochroneLayer(Layer):
             pieces = [
                 polygon_of(np.stack(to_plane(piece[:, 0], piece[:, 1]), axis=1)) for piece in line.pieces
             ]
-            text = QCoreApplication.translate("isochrones", "{hours:g} h").format(hours=line.hours)
+            text = fill(QCoreApplication.translate("isochrones", "{hours:g} h"), hours=line.hours)
             self._lines.append((text, sorted(pieces, key=lambda piece: -piece.size())))
         self.update()
 
@@ -53,7 +62,6 @@ class IsochroneLayer(Layer):
         painter.setBrush(Qt.BrushStyle.NoBrush)
         before = painter.font()
         painter.setFont(scaled_font(before, 0.88, bold=True))
-        height = painter.fontMetrics().height()
         for text, pieces in self._lines:
             shown = [
                 line
@@ -64,15 +72,16 @@ class IsochroneLayer(Layer):
             for line in shown:
                 painter.drawPolyline(line)
             if shown:
-                self._label(painter, shown[0], text, (text_width(painter.font(), text), float(height)))
+                self._label(painter, shown[0], text, to_pixels)
         painter.setFont(before)
 
-    def _label(self, painter: QPainter, line: QPolygonF, text: str, size: tuple[float, float]) -> None:
+    def _label(self, painter: QPainter, line: QPolygonF, text: str, to_pixels: QTransform) -> None:
         """Write the hours beside a line, at the first of some places along it that is free."""
-        count = line.size()
+        count, size = line.size(), (text_width(painter.font(), text), float(painter.fontMetrics().height()))
         for number in range(_TRIES):
             at = line.at(round((0.5 + (-1) ** number * number / 2 / _TRIES) * (count - 1)))
-            place = self.labels.claim(*around(at, *size, 4.0))
+            places = around(at, *size, 4.0)
+            place = self.labels.claim(*(one for one in places if not self._route.touches(one, to_pixels)))
             if place is not None:
                 base = QPointF(place.left(), place.top() + painter.fontMetrics().ascent())
                 self.labels.write(Label(painter.font(), base, text, self.colours.isochrone))

@@ -35,16 +35,17 @@ class Labels:
         self._cells: dict[tuple[int, int], list[Box]] = {}
         self._view: Box = (0.0, 0.0, 0.0, 0.0)
         self.written: list[Label] = []
+        self.kept: dict[str, QRectF] = {}
 
     def begin(self, view: QRectF, taken: Iterable[QRectF] = ()) -> None:
         """Begin a frame, with what lies over the chart anyway."""
-        self._view, self._cells, self.written = _box(view), {}, []
+        self._view, self._cells, self.written, self.kept = edges(view), {}, [], {}
         for place in taken:
             self.take(place)
 
     def take(self, place: QRectF) -> None:
         """Take a place, whoever else has it."""
-        self.take_box(_box(place))
+        self.take_box(edges(place))
 
     def take_box(self, box: Box) -> None:
         """Take a place given by left, top, right and bottom."""
@@ -55,7 +56,7 @@ class Labels:
 
     def is_free(self, place: QRectF) -> bool:
         """Whether a place is in view and nobody's."""
-        return self.is_free_box(_box(place))
+        return self.is_free_box(edges(place))
 
     def is_free_box(self, box: Box) -> bool:
         """Whether a place given by left, top, right and bottom is in view and nobody's."""
@@ -84,7 +85,8 @@ class Labels:
         return None
 
 
-def _box(place: QRectF) -> Box:
+def edges(place: QRectF) -> Box:
+    """Left, top, right and bottom of a place."""
     return place.left(), place.top(), place.right(), place.bottom()
 
 

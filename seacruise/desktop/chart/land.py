@@ -1,7 +1,8 @@
-"""Land in square cells, so that painting a view touches only what is in it; plain arrays, no Qt.
+"""Land in square cells, so that painting a view touches only what is in it; plain arrays.
 
-Cells are the quarters of quarters of the charted rectangle. Each holds its rings clipped to itself and
-a margin; a painter that clips to the cell alone shows neither seams nor the edges that clipping made.
+Cells are the quarters of quarters of a rectangle, the charted one or the world. Each holds its rings
+clipped to itself and a margin; a painter that clips to the cell alone shows neither seams nor the edges
+that clipping made.
 """
 
 from __future__ import annotations
@@ -11,9 +12,10 @@ from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
+from PySide6.QtCore import QRectF
 
-from seacruise.desktop.chart.plane import CHARTED, to_plane
-from seacruise.sea.coast import chart_land
+from seacruise.desktop.chart.plane import CHARTED, WORLD, to_plane
+from seacruise.sea.coast import chart_land, world_land
 
 Points = NDArray[np.float64]
 
@@ -115,15 +117,16 @@ class LandCells:
     Parameters
     ----------
     level
-        Of `seacruise.sea.coast.chart_land`.
+        Of `seacruise.sea.coast.chart_land`; ``None`` for `seacruise.sea.coast.world_land`.
     """
 
-    def __init__(self, level: int) -> None:
+    def __init__(self, level: int | None) -> None:
         self._level = level
+        self.frame = WORLD if level is None else CHARTED
         self._cells: dict[tuple[int, int, int], Rings] = {}
 
     def _whole(self) -> Rings:
-        polygons = chart_land(self._level)
+        polygons = world_land() if self._level is None else chart_land(self._level)
         lakes = [number > 0 for polygon in polygons for number in range(len(polygon))]
         degrees = [ring for polygon in polygons for ring in polygon]
         return join_rings([np.stack(to_plane(r[:, 1], r[:, 0]), axis=1) for r in degrees], lakes=lakes)
@@ -136,7 +139,8 @@ class LandCells:
         if depth == 0:
             found = self._whole()
         else:
-            found = clip_rings(self.cell(depth - 1, column // 2, row // 2), _margined(depth, column, row))
+            box = _margined(depth, column, row, self.frame)
+            found = clip_rings(self.cell(depth - 1, column // 2, row // 2), box)
         if len(self._cells) >= _MOST_CELLS:
             # The shallow cells are what is dear; the deep ones come back in no time.
             self._cells = {k: v for k, v in self._cells.items() if k[0] <= 4}
@@ -144,14 +148,14 @@ class LandCells:
         return found
 
 
-def cell_box(depth: int, column: int, row: int) -> tuple[float, float, float, float]:
+def cell_box(depth: int, column: int, row: int, frame: QRectF = CHARTED) -> tuple[float, float, float, float]:
     """Box ``(west, north, east, south)`` of a cell in the plane [m], without its margin."""
-    width, height = CHARTED.width() / 2**depth, CHARTED.height() / 2**depth
-    west, north = CHARTED.left() + column * width, CHARTED.top() + row * height
+    width, height = frame.width() / 2**depth, frame.height() / 2**depth
+    west, north = frame.left() + column * width, frame.top() + row * height
     return west, north, west + width, north + height
 
 
-def _margined(depth: int, column: int, row: int) -> tuple[float, float, float, float]:
-    west, north, east, south = cell_box(depth, column, row)
+def _margined(depth: int, column: int, row: int, frame: QRectF) -> tuple[float, float, float, float]:
+    west, north, east, south = cell_box(depth, column, row, frame)
     dx, dy = MARGIN * (east - west), MARGIN * (south - north)
     return west - dx, north - dy, east + dx, south + dy

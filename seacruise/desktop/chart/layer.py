@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Final
@@ -17,7 +18,6 @@ from PySide6.QtGui import (
     QPixmap,
     QTransform,
 )
-from PySide6.QtWidgets import QGraphicsItem, QStyleOptionGraphicsItem, QWidget
 
 from seacruise.desktop.chart.labels import Labels
 from seacruise.desktop.chart.palette import DAY, Palette
@@ -26,45 +26,65 @@ _HALO_PX: Final = 3.0
 _AROUND: Final = tuple((1.6 * math.cos(k * math.pi / 4), 1.6 * math.sin(k * math.pi / 4)) for k in range(8))
 
 
-class Layer(QGraphicsItem):
+class Layer:
     """A layer of the chart.
 
-    Drawing in pixels keeps barbs, symbols and text the same size at every zoom, and whole layers cost
-    one item each: fifty thousand items would take 146 ms a frame.
+    Drawing in pixels keeps barbs, symbols and text the same size at every zoom. What lies on the chart is
+    also drawn into pictures larger than the view (`sheet.Sheet`): a layer draws what ``view`` holds, wherever
+    that is, and tells by `update` when it would draw something else.
+
+    Parameters
+    ----------
+    bounds
+        Of the whole chart in the plane [m].
     """
 
     def __init__(self, bounds: QRectF) -> None:
-        super().__init__()
         self._bounds = bounds
+        self._visible = True
+        self._version = 0
         self.colours: Palette = DAY
         self.labels = Labels()
+        self.on_update: Callable[[], None] | None = None
 
     def set_palette(self, colours: Palette) -> None:
         """Draw in the colours of another light from now on."""
         self.colours = colours
         self.update()
 
-    def boundingRect(self) -> QRectF:
-        """Whole chart."""
-        return self._bounds
+    def update(self) -> None:
+        """Tell that the layer would draw something else from now on."""
+        self._version += 1
+        if self.on_update is not None:
+            self.on_update()
 
-    def paint(
-        self, painter: QPainter, option: QStyleOptionGraphicsItem, widget: QWidget | None = None
-    ) -> None:
-        """Draw the layer in pixels of the viewport."""
-        del option
-        if widget is None:
-            return
-        painter.save()
-        to_pixels = painter.worldTransform()
-        painter.resetTransform()
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        self.draw(painter, to_pixels, QRectF(widget.rect()))
-        painter.restore()
+    @property
+    def version(self) -> int:
+        """Another number whenever the layer would draw something else; negative while it is hidden."""
+        return self._version if self._visible else -1
+
+    def setVisible(self, on: bool) -> None:
+        """Show or hide the layer."""
+        if on != self._visible:
+            self._visible = on
+            self.update()
+
+    def isVisible(self) -> bool:
+        """Whether the layer is shown."""
+        return self._visible
+
+    def paint(self, painter: QPainter, to_pixels: QTransform, view: QRectF) -> None:
+        """Draw the layer, if it is shown, and leave the painter as it was."""
+        if self._visible:
+            painter.save()
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            try:
+                self.draw(painter, to_pixels, view)
+            finally:
+                painter.restore()
 
     def draw(self, painter: QPainter, to_pixels: QTransform, view: QRectF) -> None:
-        """Draw on a viewport of ``view`` pixels; ``to_pixels`` maps the plane to it."""
-        # Qt's metaclass leaves no room for ABC's: a layer that forgets to draw must fail at its first frame.
+        """Draw on a viewport or picture of ``view`` pixels; ``to_pixels`` maps the plane to it."""
         raise NotImplementedError
 
 

@@ -7,24 +7,28 @@ import math
 from PySide6.QtCore import QCoreApplication, QPointF, QRectF, QSizeF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QLinearGradient, QPainter, QPen, QPixmap, QTransform
 
+from seacruise.desktop.chart.depth_layer import band_name
 from seacruise.desktop.chart.field_layer import FIELD_STOPS
 from seacruise.desktop.chart.layer import Layer, text_width
 from seacruise.desktop.chart.palette import dimmed
 from seacruise.desktop.chart.schemes import SCHEMES, Scheme
 from seacruise.desktop.style import scaled_font
+from seacruise.desktop.units_choice import units_choice, wind_ticks, wind_unit
 
 _SWATCH_PX = 38.0
 _MARGIN_PX = 10.0
 _SIZE = 0.85
+_CHART_PX = 210.0
 
 
 class LegendLayer(Layer):
-    """Swatches with their classes, at the lower right; above them the colour field's, while it is shown."""
+    """Swatches with their classes, at the lower right; above them the colour field's or the depth tints'."""
 
     def __init__(self, bounds: QRectF) -> None:
         super().__init__(bounds)
         self._scheme = SCHEMES["tws"]
         self.field_shown = False
+        self.depths_shown = False
         self._picture: tuple[tuple[object, ...], QPixmap] | None = None
 
     def show_scheme(self, scheme: Scheme) -> None:
@@ -40,15 +44,32 @@ class LegendLayer(Layer):
         """Where the legend is in a view [pixels], in a smaller size of a font."""
         font = scaled_font(base, _SIZE)
         width = len(self._scheme.colours) * self._swatch_px(font) + 2 * _MARGIN_PX
-        height = (2 * QFontMetricsF(font).height() + 18) * (2 if self.field_shown else 1) + 6
+        height = (2 * QFontMetricsF(font).height() + 18) * (
+            2 if self.field_shown or self.depths_shown else 1
+        ) + 6
         return QRectF(view.right() - width - 12, view.bottom() - height - 26, width, height)
+
+    def has_room(self, view: QRectF, base: QFont) -> bool:
+        """Whether there is more chart than legend: beside an open page the passage comes first."""
+        return view.height() >= self.card(view, base).height() + _CHART_PX
 
     def draw(self, painter: QPainter, to_pixels: QTransform, view: QRectF) -> None:
         """Draw the legend, from a picture that is made anew when it says something else."""
         del to_pixels
+        if not self.has_room(view, painter.font()):
+            return
         card = self.card(view, painter.font())
         font, density = scaled_font(painter.font(), _SIZE), painter.device().devicePixelRatio()
-        key = (self._scheme.key, self.colours.name, self.field_shown, font.key(), density)
+        units = units_choice().units
+        key = (
+            units,
+            self._scheme.key,
+            self.colours.name,
+            self.field_shown,
+            self.depths_shown,
+            font.key(),
+            density,
+        )
         if self._picture is None or self._picture[0] != key:
             size = (card.size() + QSizeF(2, 2)) * density
             picture = QPixmap(size.toSize())
@@ -69,8 +90,8 @@ class LegendLayer(Layer):
         painter.drawRoundedRect(card, 8, 8)
         painter.setPen(self.colours.ink)
         top = card.top() + 2
-        if self.field_shown:
-            self._draw_field(painter, card, top, line)
+        if self.field_shown or self.depths_shown:
+            (self._draw_field if self.field_shown else self._draw_depths)(painter, card, top, line)
             top += 2 * line + 18
         left, wide = card.left() + _MARGIN_PX, self._swatch_px(painter.font())
         painter.drawText(QPointF(left, top + line), self._scheme.title())
@@ -81,7 +102,7 @@ class LegendLayer(Layer):
 
     def _draw_field(self, painter: QPainter, card: QRectF, top: float, line: int) -> None:
         left, width = card.left() + _MARGIN_PX, card.width() - 2 * _MARGIN_PX
-        title = QCoreApplication.translate("legend", "Wind on the chart (kn)")
+        title = QCoreApplication.translate("legend", "Wind on the chart ({unit})").format(unit=wind_unit())
         painter.drawText(QPointF(left, top + line), title)
         bar = QRectF(left, top + line + 6, width, 7)
         ramp = QLinearGradient(bar.topLeft(), bar.topRight())
@@ -89,8 +110,22 @@ class LegendLayer(Layer):
         for knots, colour in FIELD_STOPS:
             ramp.setColorAt(knots / most, dimmed(QColor(colour), self.colours))
         painter.fillRect(bar, ramp)
-        for knots in range(0, round(most), 10):
-            _write_under(painter, left + knots / most * width, bar.bottom(), f"{knots}")
+        for knots, figure in wind_ticks(most):
+            _write_under(painter, left + knots / most * width, bar.bottom(), figure)
+
+    def _draw_depths(self, painter: QPainter, card: QRectF, top: float, line: int) -> None:
+        left, width = card.left() + _MARGIN_PX, card.width() - 2 * _MARGIN_PX
+        title = QCoreApplication.translate("legend", "Depth (m), coarse: not for navigation")
+        painter.drawText(QPointF(left, top + line), title)
+        wide = width / len(self.colours.depths)
+        for number, colour in enumerate(self.colours.depths):
+            swatch = QRectF(left + number * wide, top + line + 6, wide, 7)
+            painter.fillRect(swatch, colour)
+            _write_under(painter, swatch.center().x(), swatch.bottom(), band_name(number))
+        painter.setPen(QPen(self.colours.card_line, 1.0))
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.drawRect(QRectF(left, top + line + 6, width, 7))
+        painter.setPen(self.colours.ink)
 
 
 def _write_under(painter: QPainter, x: float, y: float, text: str) -> None:

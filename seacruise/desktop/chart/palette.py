@@ -25,6 +25,9 @@ class Palette:
         Ground and frame of legend and read-outs.
     field_alpha
         How much of the wind's colour field covers the chart, 0 to 255.
+    depths
+        Tints of the water from shallow to deep, one more than `seacruise.sea.depth.BAND_LIMITS_M`; as in
+        S-52 what is deep is the quiet ground, by day nearly white, at dusk and by night nearly black.
     """
 
     name: str
@@ -51,16 +54,23 @@ class Palette:
     card_line: QColor
     focus: QColor
     field_alpha: int
+    depths: tuple[QColor, ...]
 
 
-def _palette(name: str, field_alpha: int, **colours: str) -> Palette:
+def _palette(name: str, field_alpha: int, depths: str, **colours: str) -> Palette:
     """Palette of colours written ``#RRGGBB`` or ``#AARRGGBB``."""
-    return Palette(name=name, field_alpha=field_alpha, **{key: QColor(text) for key, text in colours.items()})
+    return Palette(
+        name=name,
+        field_alpha=field_alpha,
+        depths=tuple(QColor(text) for text in depths.split()),
+        **{key: QColor(text) for key, text in colours.items()},
+    )
 
 
 DAY: Final = _palette(
     "day",
     112,
+    "#BFDCEE #D0E6F3 #DEEEF7 #EAF4FA #F5FAFD",
     water="#E4F1F8",
     land="#EFE2BD",
     shore="#9C8552",
@@ -87,6 +97,7 @@ DAY: Final = _palette(
 DUSK: Final = _palette(
     "dusk",
     95,
+    "#2F4C62 #294355 #233948 #1D2F3C #172631",
     water="#20313F",
     land="#3B382B",
     shore="#8A7C56",
@@ -113,6 +124,7 @@ DUSK: Final = _palette(
 NIGHT: Final = _palette(
     "night",
     44,
+    "#16222B #111A21 #0C1318 #080D11 #05080A",
     water="#070A0D",
     land="#1C170F",
     shore="#54452C",
@@ -142,7 +154,7 @@ WIND_LIMITS_KN: Final = (5.0, 10.0, 15.0, 20.0, 25.0, 30.0)
 """Where one colour of the route ends and the next begins, true wind speed [kn]."""
 
 WIND_COLOURS: Final = tuple(
-    QColor(name) for name in ("#F7D13D", "#FCA636", "#EE7B51", "#D5536F", "#A82296", "#6A00A8", "#26066E")
+    QColor(name) for name in ("#F0F921", "#FCA636", "#EE7B51", "#D5536F", "#A82296", "#6A00A8", "#26066E")
 )
 """From calm to gale. Samples of matplotlib's plasma, darkening evenly, so that they are told apart by
 their lightness alone (Nuñez et al. 2018, doi:10.1371/journal.pone.0199239)."""

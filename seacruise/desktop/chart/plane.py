@@ -38,4 +38,7 @@ def rectangle(south: float, west: float, north: float, east: float) -> QRectF:
 
 
 CHARTED: Final = rectangle(FINE_SOUTH, FINE_WEST, FINE_NORTH, FINE_EAST)
-"""What the coast of `seacruise.sea.coast` covers; beyond it the chart knows nothing."""
+"""What the fine coast of `seacruise.sea.coast` covers; beyond it the chart knows the coarse one only."""
+
+WORLD: Final = rectangle(-64.0, -180.0, 82.0, 180.0)
+"""What can be brought into view: the coarse coast, without the poles, which no Mercator chart has."""

@@ -71,6 +71,8 @@ class Pointer:
         if self._doing is Doing.CLICK:
             leg = view.route.leg_at(at, view.viewportTransform())
             view.leg_picked.emit(-1 if leg is None else leg)
+            if leg is None and (way := view.others.way_at(at, view.viewportTransform())) is not None:
+                view.way_picked.emit(way)
         elif self._doing is Doing.END and (at.toPoint() - self._pressed).manhattanLength() > _CLICK_PX:
             self._take_along(at, done=True)
         elif self._doing is Doing.MEASURE and (at.toPoint() - self._pressed).manhattanLength() > _CLICK_PX:
@@ -114,5 +116,7 @@ class Pointer:
             shape = Qt.CursorShape.DragMoveCursor
         elif not view.is_measuring and view.ports.end_at(at, view.viewportTransform()) is not None:
             shape = Qt.CursorShape.OpenHandCursor
+        elif not view.is_measuring and view.others.way_at(at, view.viewportTransform()) is not None:
+            shape = Qt.CursorShape.PointingHandCursor
         if view.viewport().cursor().shape() != shape:
             view.viewport().setCursor(shape)

@@ -20,12 +20,14 @@ from seacruise.desktop.chart.plane import point, to_plane
 from seacruise.desktop.chart.schemes import SCHEMES, Scheme
 from seacruise.desktop.daylight import Light, light_along, spans, sun_events
 from seacruise.desktop.style import scaled_font
+from seacruise.desktop.units_choice import clock_text
 
 if TYPE_CHECKING:
     from seacruise.passage import Passage
 
 _PICK_PX: Final = 10.0
 _NIGHT_PX: Final = 19.0
+_FADED: Final = 0.45
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -54,14 +56,14 @@ class RouteLayer(Layer):
         self._plane = np.empty((0, 2))
         self._corners = np.empty(0, dtype=np.int64)
         self._leg: int | None = None
-        self._boat: tuple[QPointF, float] | None = None
-        self.faded = False
-        self.nights_shown = True
+        self.boat: tuple[QPointF, float] | None = None
+        self._faded = False
+        self._nights_shown = True
 
     def show_passage(self, passage: Passage | None) -> None:
         """Show a passage, or none."""
         self._passage = passage
-        self._leg, self._boat, self._legs, self._waypoints = None, None, [], []
+        self._leg, self.boat, self._legs, self._waypoints = None, None, [], []
         self._pieces, self._nights, self._suns = [], [], []
         if passage is not None:
             track = passage.track
@@ -77,12 +79,40 @@ class RouteLayer(Layer):
             self._direct = QPolygonF([corners[0], corners[-1]])
         self.update()
 
+    def tell_again(self) -> None:
+        """Write the times of sunrise and sunset in the zone that was chosen."""
+        if self._passage is not None:
+            self._suns = _sun_marks(self._passage)
+            self.update()
+
     def show_scheme(self, scheme: Scheme) -> None:
         """Give the colours another meaning."""
         self._scheme = scheme
         if self._passage is not None:
             self._pieces = self._coloured_pieces(self._passage)
         self.update()
+
+    @property
+    def faded(self) -> bool:
+        """Whether the passage is not of the latest calculation."""
+        return self._faded
+
+    @faded.setter
+    def faded(self, on: bool) -> None:
+        if on != self._faded:
+            self._faded = on
+            self.update()
+
+    @property
+    def nights_shown(self) -> bool:
+        """Whether the parts that are sailed in the dark are told from others."""
+        return self._nights_shown
+
+    @nights_shown.setter
+    def nights_shown(self, on: bool) -> None:
+        if on != self._nights_shown:
+            self._nights_shown = on
+            self.update()
 
     @property
     def scheme(self) -> Scheme:
@@ -123,8 +153,7 @@ class RouteLayer(Layer):
         x = float(np.interp(time, track.time, self._plane[:, 0]))
         y = float(np.interp(time, track.time, self._plane[:, 1]))
         now = int(np.clip(np.searchsorted(track.time, time, side="right") - 1, 0, len(track.time) - 1))
-        self._boat = (QPointF(x, y), float(track.course_deg[now]))
-        self.update()
+        self.boat = (QPointF(x, y), float(track.course_deg[now]))
 
     def leg_at(self, at: QPointF, to_pixels: QTransform) -> int | None:
         """Leg of the track that passes closest to a point [pixels], when it is near enough to be meant."""
@@ -138,18 +167,25 @@ class RouteLayer(Layer):
         nearest = int(np.argmin(gap))
         return int(self._passage.track.leg[nearest]) if gap[nearest] <= _PICK_PX else None
 
+    def touches(self, box: QRectF, to_pixels: QTransform) -> bool:
+        """Whether the track leads through a box [pixels]."""
+        if self._passage is None:
+            return False
+        x = to_pixels.m11() * self._plane[:, 0] + to_pixels.dx()
+        y = to_pixels.m22() * self._plane[:, 1] + to_pixels.dy()
+        within = (x > box.left()) & (x < box.right()) & (y > box.top()) & (y < box.bottom())
+        return bool(within.any())
+
     def draw(self, painter: QPainter, to_pixels: QTransform, view: QRectF) -> None:
-        """Draw direct line, track, waypoints and boat, from below to above."""
+        """Draw direct line, track and waypoints, from below to above."""
         del view
         if self._passage is not None:
-            painter.setOpacity(0.45 if self.faded else 1.0)
+            painter.setOpacity(_FADED if self._faded else 1.0)
             self._draw_direct(painter, to_pixels)
             self._draw_track(painter, to_pixels)
             self._draw_waypoints(painter, to_pixels)
-            if self.nights_shown:
+            if self._nights_shown:
                 self._draw_suns(painter, to_pixels)
-            if self._boat is not None:
-                self._draw_boat(painter, to_pixels.map(self._boat[0]), self._boat[1])
             painter.setOpacity(1.0)
 
     def _draw_direct(self, painter: QPainter, to_pixels: QTransform) -> None:
@@ -166,7 +202,7 @@ class RouteLayer(Layer):
             path.addPolygon(to_pixels.map(line))
             painter.strokePath(path, pen)
 
-        if self.nights_shown:
+        if self._nights_shown:
             for piece in self._nights:
                 shade = QColor(self.colours.night)
                 if piece.number == Light.TWILIGHT:
@@ -206,15 +242,51 @@ class RouteLayer(Layer):
             painter.setBrush(self.colours.keel if rises else self.colours.sun)
             painter.drawChord(QRectF(at.x() - 6, at.y() - 6, 12, 12), 180 * 16, 180 * 16)
             width = text_width(painter.font(), text)
-            label = self.labels.claim(*around(at, width, height, 14.0))
+            places = around(at, width, height, 14.0)
+            beside = [place for place in places if not self.touches(place, to_pixels)]
+            label = self.labels.claim(*(beside or places))
             if label is not None:
                 base = QPointF(label.left(), label.top() + painter.fontMetrics().ascent())
                 self.labels.write(Label(painter.font(), base, text, self.colours.sun))
         painter.setFont(before)
 
-    def _draw_boat(self, painter: QPainter, at: QPointF, course_deg: float) -> None:
-        painter.save()
-        painter.translate(at)
+
+def _sun_marks(passage: Passage) -> list[tuple[QPointF, str, bool]]:
+    words = {
+        "sunrise": QCoreApplication.translate("route", "sunrise {time}"),
+        "sunset": QCoreApplication.translate("route", "sunset {time}"),
+    }
+    return [
+        (
+            point(event.lat, event.lon),
+            words[event.kind].format(time=clock_text(datetime.fromtimestamp(event.time, UTC))),
+            event.kind == "sunrise",
+        )
+        for event in sun_events(passage.track)
+    ]
+
+
+class BoatLayer(Layer):
+    """The boat where she is at the slider's time; apart from the route, which stays as it is while time runs.
+
+    Parameters
+    ----------
+    route
+        Knows where she is.
+    """
+
+    def __init__(self, bounds: QRectF, route: RouteLayer) -> None:
+        super().__init__(bounds)
+        self._route = route
+
+    def draw(self, painter: QPainter, to_pixels: QTransform, view: QRectF) -> None:
+        """Draw her hull, heading as she sails."""
+        del view
+        if self._route.boat is None:
+            return
+        place, course_deg = self._route.boat
+        painter.setOpacity(_FADED if self._route.faded else 1.0)
+        painter.translate(to_pixels.map(place))
         painter.rotate(course_deg)
         hull = QPainterPath(QPointF(0.0, -13.0))
         hull.quadTo(QPointF(6.0, -6.0), QPointF(5.2, 3.0))
@@ -226,22 +298,6 @@ class RouteLayer(Layer):
         painter.fillPath(hull, self.colours.magenta)
         painter.setPen(QPen(self.colours.casing, 1.4))
         painter.drawLine(QPointF(0, -6), QPointF(0, 7))
-        painter.restore()
-
-
-def _sun_marks(passage: Passage) -> list[tuple[QPointF, str, bool]]:
-    words = {
-        "sunrise": QCoreApplication.translate("route", "sunrise {time}"),
-        "sunset": QCoreApplication.translate("route", "sunset {time}"),
-    }
-    return [
-        (
-            point(event.lat, event.lon),
-            words[event.kind].format(time=f"{datetime.fromtimestamp(event.time, UTC):%H:%M}"),
-            event.kind == "sunrise",
-        )
-        for event in sun_events(passage.track)
-    ]
 
 
 class TroubleLayer(Layer):

@@ -11,6 +11,8 @@ from PySide6.QtCore import QCoreApplication
 from PySide6.QtGui import QColor
 
 from seacruise.desktop.chart.palette import WIND_COLOURS, WIND_LIMITS_KN, class_name
+from seacruise.desktop.units_choice import wind_unit, wind_value
+from seacruise.narrative import POINT_LIMITS_DEG
 
 if TYPE_CHECKING:
     from seacruise.passage import Track
@@ -31,7 +33,6 @@ _ANGLE_LIMITS_DEG: Final = (45.0, 60.0, 90.0, 120.0, 150.0)
 _POINT_COLOURS: Final = tuple(
     QColor(name) for name in ("#0072B2", "#56B4E9", "#009E73", "#F0E442", "#E69F00", "#9A9A9A")
 )
-_POINT_LIMITS_DEG: Final = (55.0, 80.0, 100.0, 155.0)
 _ENGINE: Final = 5
 
 
@@ -60,7 +61,7 @@ class Scheme:
     def title(self) -> str:
         """Heading of the legend."""
         return {
-            "tws": _tr("Wind on the route (TWS, kn)"),
+            "tws": _tr("Wind on the route (TWS, {unit})").format(unit=wind_unit()),
             "twa": _tr("Angle to the wind (TWA, °)"),
             "speed": _tr("Boat speed (kn)"),
             "point": _tr("Point of sail"),
@@ -70,7 +71,8 @@ class Scheme:
         """Text under each colour of the legend."""
         if self.key == "point":
             return (_tr("close"), _tr("fetch"), _tr("beam"), _tr("broad"), _tr("run"), _tr("engine"))
-        return tuple(class_name(self.limits, number) for number in range(len(self.colours)))
+        limits = tuple(map(wind_value, self.limits)) if self.key == "tws" else self.limits
+        return tuple(class_name(limits, number) for number in range(len(self.colours)))
 
 
 def _tr(text: str) -> str:
@@ -83,6 +85,6 @@ SCHEMES: Final = {
         Scheme("tws", WIND_LIMITS_KN, WIND_COLOURS),
         Scheme("twa", _ANGLE_LIMITS_DEG, _ANGLE_COLOURS),
         Scheme("speed", _SPEED_LIMITS_KN, _SPEED_COLOURS),
-        Scheme("point", _POINT_LIMITS_DEG, _POINT_COLOURS),
+        Scheme("point", POINT_LIMITS_DEG, _POINT_COLOURS),
     )
 }

@@ -19,20 +19,22 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QFrame, QGraphicsScene, QGraphicsView, QWidget
 
+from seacruise.desktop.chart.coarse_layer import CoarseLayer
 from seacruise.desktop.chart.coast_layer import CoastLayer
 from seacruise.desktop.chart.context import open_menu
+from seacruise.desktop.chart.easel import Easel, Stack
 from seacruise.desktop.chart.field_layer import FieldLayer
-from seacruise.desktop.chart.graticule import GraticuleLayer, ScaleLayer
+from seacruise.desktop.chart.graticule import DegreesLayer, GraticuleLayer, ScaleLayer
 from seacruise.desktop.chart.isochrone_layer import IsochroneLayer
-from seacruise.desktop.chart.labels import Labels
-from seacruise.desktop.chart.layer import LabelLayer, Layer
+from seacruise.desktop.chart.layer import LabelLayer
 from seacruise.desktop.chart.legend import LegendLayer
 from seacruise.desktop.chart.measure_layer import MeasureLayer
+from seacruise.desktop.chart.others_layer import OthersLayer
 from seacruise.desktop.chart.palette import DAY, Palette
-from seacruise.desktop.chart.plane import CHARTED, point, position, rectangle
+from seacruise.desktop.chart.plane import CHARTED, WORLD, point, position, rectangle
 from seacruise.desktop.chart.pointer import Pointer
-from seacruise.desktop.chart.ports_layer import PortsLayer
-from seacruise.desktop.chart.route_layer import RouteLayer, TroubleLayer
+from seacruise.desktop.chart.ports_layer import EndsLayer, PortsLayer
+from seacruise.desktop.chart.route_layer import BoatLayer, RouteLayer, TroubleLayer
 from seacruise.desktop.chart.schemes import Scheme
 from seacruise.desktop.chart.wind_layer import WindLayer
 from seacruise.desktop.chart.zones_layer import ZonesLayer
@@ -46,8 +48,10 @@ if TYPE_CHECKING:
 _STEP: Final = 1.25
 _NEAREST_PX_M: Final = 0.4
 _SETTLE_MS: Final = 60
-_PATIENCE_S: Final = 0.3
-"""A coast that is painted while the chart moves takes time from its frames; so long it is stretched."""
+_PATIENCE_S: Final = 1.2
+_BARE_S: Final = 0.1
+"""A coast that is painted while the chart moves takes time from its frames; so long it is stretched, and so
+long a part of the view may be without."""
 
 _FIT_SIDES_PX: Final = 40
 _FIT_TOP_PX: Final = 58
@@ -59,13 +63,13 @@ _LEAST_FITTED_M: Final = 40_000.0
 
 
 class ChartView(QGraphicsView):
-    """Chart of the Baltic.
+    """Chart of the Baltic; of other seas coarsely.
 
     Signals: ``pointed(lat, lon)`` as the pointer moves, ``left()`` when it leaves, ``leg_picked(number)``
     on a click on the route (-1 beside it), ``end_picked(which, lat, lon)`` with ``"from"``, ``"to"`` or
     ``"via"`` from its menu, ``end_dragged(which, port, done)`` while one is dragged - a port without a name
     is a position -, ``via_dropped()``, ``avoid_picked(lat, lon, radius_nm)``, ``avoid_dropped(zone)``, and
-    ``measuring_changed(bool)``.
+    ``measuring_changed(bool)``; ``way_picked(way)`` on a click on another way.
     """
 
     pointed = Signal(float, float)
@@ -77,11 +81,12 @@ class ChartView(QGraphicsView):
     avoid_picked = Signal(float, float, float)
     avoid_dropped = Signal(object)
     measuring_changed = Signal(bool)
+    way_picked = Signal(object)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setScene(QGraphicsScene(self))
-        self._room = CHARTED.adjusted(*(f * CHARTED.width() for f in (-0.6, -0.6, 0.6, 0.6)))
+        self._room = WORLD
         self.setSceneRect(self._room)
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
@@ -120,27 +125,39 @@ class ChartView(QGraphicsView):
         room = self._room
         self.coast = CoastLayer(room, self.painter_jobs, self.viewport().update)
         self.field, self.wind = FieldLayer(room), WindLayer(room)
-        self.zones, self.isochrones = ZonesLayer(room), IsochroneLayer(room)
         self.ports, self.route = PortsLayer(room), RouteLayer(room)
+        self.zones, self.isochrones = ZonesLayer(room), IsochroneLayer(room, self.route)
+        self.others = OthersLayer(room, self.route)
         self.measure, self.trouble = MeasureLayer(room), TroubleLayer(room)
         self.legend = LegendLayer(room)
         self.legend.setVisible(False)
         self.field.setVisible(False)
-        self.labels = Labels()
-        self._layers: tuple[Layer, ...] = (
-            *(self.coast, self.field, GraticuleLayer(room), self.zones, self.isochrones, self.wind),
-            *(self.route, LabelLayer(room), self.ports, ScaleLayer(room), self.legend),
-            *(self.measure, self.trouble),
+        degrees = DegreesLayer(room)
+        self._stack = Stack(
+            ground=(self.coast,),
+            weather=(self.field, self.wind),
+            lying=(
+                *(GraticuleLayer(room), self.zones, self.isochrones, self.others, self.route),
+                *(LabelLayer(room), self.ports),
+            ),
+            above=(
+                *(
+                    EndsLayer(room, self.ports),
+                    BoatLayer(room, self.route),
+                    degrees,
+                    ScaleLayer(room),
+                    CoarseLayer(room),
+                    self.legend,
+                ),
+                *(self.measure, self.trouble),
+            ),
         )
-        for height, layer in enumerate(self._layers):
-            layer.setZValue(height)
-            layer.labels = self.labels
-            self.scene().addItem(layer)
+        self.easel = Easel(self, self._stack, self.ports, degrees)
 
     def set_palette(self, colours: Palette) -> None:
         """Show the chart in the colours of another light."""
         self._colours = colours
-        for layer in self._layers:
+        for layer in self._stack.layers:
             layer.set_palette(colours)
         self.viewport().update()
         self.refresh_coast()
@@ -189,8 +206,10 @@ class ChartView(QGraphicsView):
         """Bring a rectangle of the plane into view, clear of ribbon and legend."""
         self._fitted, self._shows_all = QRectF(area), False
         whole = self.viewport().rect()
-        legend = self.legend.card(QRectF(whole), self.font())
-        bottom = max(_FIT_BOTTOM_PX, round(whole.height() - legend.top()) + _FIT_ABOVE_PX)
+        bottom = min(_FIT_BOTTOM_PX, whole.height() // 5)
+        if self.legend.has_room(QRectF(whole), self.font()):
+            legend = self.legend.card(QRectF(whole), self.font())
+            bottom = max(bottom, round(whole.height() - legend.top()) + _FIT_ABOVE_PX)
         view = whole.adjusted(_FIT_SIDES_PX, _FIT_TOP_PX, -_FIT_SIDES_PX, -bottom)
         width, height = (max(side, _LEAST_FITTED_M) for side in (area.width(), area.height()))
         self._set_scale(min(max(view.width(), 50) / width, max(view.height(), 50) / height))
@@ -220,7 +239,8 @@ class ChartView(QGraphicsView):
     @property
     def is_settled(self) -> bool:
         """Whether the picture is complete: nothing is being painted or about to be."""
-        return not self._settle.isActive() and self.coast.is_up_to_date and self.ports.is_complete
+        at_rest = not self._settle.isActive() and not self.easel.is_moving
+        return at_rest and self.coast.is_up_to_date and self.ports.is_complete
 
     # --- measuring ----------------------------------------------------------------------------------
 
@@ -283,6 +303,7 @@ class ChartView(QGraphicsView):
     def _moved(self, *, keep_fit: bool = False) -> None:
         if not keep_fit:
             self._fitted, self._shows_all = None, False
+        self.easel.moved()
         self.viewport().update()
         self.refresh_coast()
 
@@ -292,7 +313,10 @@ class ChartView(QGraphicsView):
         if not self._settle.isActive():
             self._asked = now
             self._settle.start()
-        elif now - self._asked < _PATIENCE_S:
+            return
+        back, _ = self.viewportTransform().inverted()
+        covered = self.coast.covers(back.mapRect(QRectF(self.viewport().rect())))
+        if now - self._asked < (_PATIENCE_S if covered else _BARE_S):
             self._settle.start()
 
     def _demand_coast(self) -> None:
@@ -385,30 +409,35 @@ class ChartView(QGraphicsView):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         """Draw the layers, and a frame when the keys go to the chart."""
-        self._reserve()
-        super().paintEvent(event)
-        if self.hasFocus() and self.window().isActiveWindow():
-            painter = QPainter(self.viewport())
-            painter.setPen(QPen(self._colours.focus, 2.0))
-            painter.drawRect(self.viewport().rect().adjusted(1, 1, -1, -1))
-            if self._measuring:
-                middle = self.viewport().rect().center()
-                painter.drawLine(middle.x() - 7, middle.y(), middle.x() + 7, middle.y())
-                painter.drawLine(middle.x(), middle.y() - 7, middle.x(), middle.y() + 7)
+        del event
+        painter = QPainter(self.viewport())
+        try:
+            self.easel.paint(painter, self._taken())
+            if self.hasFocus() and self.window().isActiveWindow():
+                self._draw_focus(painter)
+        finally:
             painter.end()
 
-    def _reserve(self) -> None:
-        """Keep the places that no label may take: buttons, scale, legend, and the names of the ends."""
+    def _draw_focus(self, painter: QPainter) -> None:
+        painter.setPen(QPen(self._colours.focus, 2.0))
+        painter.drawRect(self.viewport().rect().adjusted(1, 1, -1, -1))
+        if self._measuring:
+            middle = self.viewport().rect().center()
+            painter.drawLine(middle.x() - 7, middle.y(), middle.x() + 7, middle.y())
+            painter.drawLine(middle.x(), middle.y() - 7, middle.x(), middle.y() + 7)
+
+    def _taken(self) -> list[QRectF]:
+        """Places that no label may take: buttons, scale, legend."""
         view = QRectF(self.viewport().rect())
-        taken = [QRectF(child.geometry()) for child in self.findChildren(QWidget) if self._covers(child)]
+        widgets = [child for child in self.children() if isinstance(child, QWidget)]
+        taken = [QRectF(child.geometry()) for child in widgets if self._covers(child)]
         taken.append(ScaleLayer.place(view))
-        if self.legend.isVisible():
+        if self.legend.isVisible() and self.legend.has_room(view, self.font()):
             taken.append(self.legend.card(view, self.font()))
-        self.labels.begin(view, taken)
-        self.ports.reserve(self.font(), self.viewportTransform())
+        return taken
 
     def _covers(self, child: QWidget) -> bool:
-        return child.isVisible() and child.parent() is self and child is not self.viewport()
+        return child.isVisible() and child is not self.viewport()
 
     def middle(self) -> tuple[float, float]:
         """Position in the middle of the view [degrees]."""

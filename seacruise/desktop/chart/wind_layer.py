@@ -10,10 +10,11 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QRectF
 from PySide6.QtGui import QPainter, QPixmap, QTransform
 
-from seacruise.desktop.chart.barbs import BarbSprites, direction_class
+from seacruise.desktop.chart.barbs import BarbSprites, direction_classes
 from seacruise.desktop.chart.layer import Layer
 from seacruise.desktop.chart.palette import Palette
 from seacruise.geodesy import from_mercator
+from seacruise.sea.depth import chart_depths
 from seacruise.units import MS_PER_KNOT
 
 if TYPE_CHECKING:
@@ -22,9 +23,16 @@ if TYPE_CHECKING:
 LEAST_PX: Final = 58.0
 _GROWTH: Final = math.sqrt(2.0)
 _REACH_PX: Final = 40.0
+_ASHORE: Final = 0.4
+"""Opacity of barbs on land, which nobody sails by."""
+
+_TOO_NEAR_M: Final = 25_000.0
+"""Barbs nearer to each other than this [m of the plane] are finer than what is known of land here."""
 
 Array = NDArray[np.float64]
 Stations = tuple[Array, Array, list[QPixmap]]
+Places = tuple[Array, Array, Array, Array, NDArray[np.bool_]]
+"""Stations ``(n,)``: x, y [m] of the plane, lat, lon [degrees], and whether they are on land."""
 
 
 def spacing_m(pixels_per_metre: float) -> float:
@@ -45,16 +53,19 @@ class WindLayer(Layer):
         self._time = 0.0
         self._sprites = BarbSprites(self.colours.barb, self.colours.halo)
         self._drawn: tuple[tuple[float, ...], Stations] | None = None
+        self._ashore = BarbSprites(self.colours.barb, self.colours.halo, _ASHORE)
+        self._places: tuple[tuple[float, ...], Places] | None = None
 
     def set_palette(self, colours: Palette) -> None:
         """Draw the barbs in the colours of another light."""
         super().set_palette(colours)
         self._sprites, self._drawn = BarbSprites(colours.barb, colours.halo), None
+        self._ashore = BarbSprites(colours.barb, colours.halo, _ASHORE)
 
     def show_wind(self, wind: Wind | None, time: float) -> None:
         """Show a wind at a time [s since 1970-01-01T00:00Z]."""
         if wind is not self._wind:
-            self._drawn = None
+            self._drawn, self._places = None, None
         self._wind, self._time = wind, time
         self.update()
 
@@ -65,14 +76,30 @@ class WindLayer(Layer):
         back, _ = to_pixels.inverted()
         seen = back.mapRect(view.adjusted(-_REACH_PX, -_REACH_PX, _REACH_PX, _REACH_PX))
         density = painter.device().devicePixelRatio()
-        x, y, pictures = self._stations(seen, spacing_m(to_pixels.m11()), density)
+        x, y, pictures = self._stations(self._wind, seen, spacing_m(to_pixels.m11()), density)
         columns = np.rint(to_pixels.m11() * x[0] + to_pixels.dx() - x[1]).astype(int).tolist()
         rows = np.rint(to_pixels.m22() * y[0] + to_pixels.dy() - y[1]).astype(int).tolist()
         draw = painter.drawPixmap
         for column, row, picture in zip(columns, rows, pictures, strict=True):
             draw(column, row, picture)
 
-    def _stations(self, seen: QRectF, step: float, density: float) -> Stations:
+    def _covered(self, wind: Wind, step: float, columns: tuple[int, int], rows: tuple[int, int]) -> Places:
+        """Find the stations that a wind reaches, kept while time runs."""
+        key: tuple[float, ...] = (step, *columns, *rows)
+        if self._places is not None and self._places[0] == key:
+            return self._places[1]
+        row, column = np.mgrid[rows[0] : rows[1] + 1, columns[0] : columns[1] + 1]
+        # every second row is shifted by half a step: an even cover without visible columns
+        x, y = ((column + 0.5 * (row % 2)) * step).ravel(), (row * step).ravel()
+        lat, lon = from_mercator(x, -y)
+        here = wind.covers(lat, lon)
+        x, y, lat, lon = x[here], y[here], lat[here], lon[here]
+        ashore = chart_depths().ashore(lat, lon) & (step > _TOO_NEAR_M)
+        found = (x, y, lat, lon, ashore)
+        self._places = (key, found)
+        return found
+
+    def _stations(self, wind: Wind, seen: QRectF, step: float, density: float) -> Stations:
         """Find barbs and their places: ``(2, n)`` of the plane [m], and from edge to station [pixels].
 
         Kept until something changes.
@@ -82,22 +109,16 @@ class WindLayer(Layer):
         key: tuple[float, ...] = (step, *columns, *rows, self._time, density)
         if self._drawn is not None and key == self._drawn[0]:
             return self._drawn[1]
-        assert self._wind is not None
-        row, column = np.mgrid[rows[0] : rows[1] + 1, columns[0] : columns[1] + 1]
-        # every second row is shifted by half a step: an even cover without visible columns
-        x, y = ((column + 0.5 * (row % 2)) * step).ravel(), (row * step).ravel()
-        lat, lon = from_mercator(x, -y)
-        here = self._wind.covers(lat, lon)
-        x, y, lat, lon = x[here], y[here], lat[here], lon[here]
         from seacruise.weather.wind import to_direction
 
-        speed, direction = to_direction(*self._wind.at(self._time, lat, lon))
-        fives = np.floor(speed / MS_PER_KNOT / 5.0 + 0.5).astype(int)
+        x, y, lat, lon, ashore = self._covered(wind, step, columns, rows)
+        speed, direction = to_direction(*wind.at(self._time, lat, lon))
+        fives = np.floor(speed / MS_PER_KNOT / 5.0 + 0.5).astype(int).tolist()
+        sides = np.where(lat < 0, -1, 1).tolist()
+        classes = direction_classes(direction).tolist()
         sprites = [
-            self._sprites.sprite(count, direction_class(degrees), side=-1 if south else 1, density=density)
-            for count, degrees, south in zip(
-                fives.tolist(), direction.tolist(), (lat < 0).tolist(), strict=True
-            )
+            (self._ashore if dry else self._sprites).sprite(count, number, side=side, density=density)
+            for count, number, side, dry in zip(fives, classes, sides, ashore.tolist(), strict=True)
         ]
         left, top = (np.array([sprite[k] for sprite in sprites]) for k in (1, 2))
         found = (np.stack([x, left]), np.stack([y, top]), [sprite[0] for sprite in sprites])

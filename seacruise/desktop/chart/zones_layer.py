@@ -51,8 +51,14 @@ class ZonesLayer(Layer):
 
     def show_time(self, time: float) -> None:
         """Tell open from closed zones at a time [s since 1970]."""
-        self._time = time
-        self.update()
+        before, self._time = self._closed(), time
+        if self._closed() != before:
+            self.update()
+
+    def _closed(self) -> list[bool]:
+        """Tell for each area whether it is closed, at any time while none is known."""
+        at = self._time
+        return [at == -math.inf or a.zone.valid_from <= at <= a.zone.valid_to for a in self._areas]
 
     def zones_at(self, lat: float, lon: float) -> list[Zone]:
         """Zones that a position [degrees] lies in, whenever they are closed."""
@@ -63,11 +69,10 @@ class ZonesLayer(Layer):
         """Draw the areas in view, and their names where there is room."""
         before = painter.font()
         painter.setFont(scaled_font(before, 0.88))
-        for area in self._areas:
+        for area, closed in zip(self._areas, self._closed(), strict=True):
             box = to_pixels.mapRect(area.box)
             if not box.intersects(view) or max(box.width(), box.height()) < _LEAST_PX:
                 continue
-            closed = self._time == -math.inf or area.zone.valid_from <= self._time <= area.zone.valid_to
             ink = QColor(self.colours.zone)
             ink.setAlpha(210 if closed else 90)
             fill = QColor(self.colours.zone)

@@ -21,6 +21,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
+from seacruise.desktop.language import fill
 from seacruise.desktop.pages.departures_model import Curve, Dot, Measure
 from seacruise.desktop.pages.plot import HOURS_PER_DAY, Scale, step_h, ticks_h, with_room
 from seacruise.desktop.style import (
@@ -36,16 +37,18 @@ from seacruise.desktop.style import (
     scaled_font,
     tinted,
 )
+from seacruise.desktop.units_choice import in_zone
 from seacruise.units import SECONDS_PER_HOUR
 
-_COLOURS: Final = (ACCENT, MAGENTA, GOOD_INK, WARNING_INK)
-_STROKES: Final = (
+COLOURS: Final = (ACCENT, MAGENTA, GOOD_INK, WARNING_INK)
+STROKES: Final = (
     Qt.PenStyle.SolidLine,
     Qt.PenStyle.DashLine,
     Qt.PenStyle.DashDotLine,
     Qt.PenStyle.DotLine,
 )
 _DOT_PX: Final = 3.5
+_NAME_PX: Final = 118
 _CATCH_PX: Final = 24.0
 _STEPS: Final = {Qt.Key.Key_Left: -1, Qt.Key.Key_Right: 1}
 _LINES: Final = {Qt.Key.Key_Up: -1, Qt.Key.Key_Down: 1}
@@ -74,6 +77,7 @@ class DepartureCurve(QWidget):
         self._best: frozenset[int] = frozenset()
         self._measure: Measure = "duration"
         self._number: int | None = None
+        self._named: int | None = None
         self._light = "day"
         self._small = scaled_font(self.font(), 0.9)
 
@@ -96,6 +100,9 @@ class DepartureCurve(QWidget):
         """
         self._curves, self._measure = tuple(curves), measure
         self._missing, self._best = missing, best
+        found = [dot for dot in self._dots() if dot.number in best and dot.value is not None]
+        # Several yachts leave best at about the same time: their words would lie over each other.
+        self._named = min(found, key=lambda dot: dot.value or 0.0).number if found else None
         if self._dot(self._number) is None:
             self._number = None
         self.update()
@@ -122,7 +129,7 @@ class DepartureCurve(QWidget):
 
     def minimumSizeHint(self) -> QSize:
         """Room for axes with a few ticks."""
-        return QSize(220, 116)
+        return QSize(160, 116)
 
     # --- geometry -----------------------------------------------------------------------------------
 
@@ -132,10 +139,15 @@ class DepartureCurve(QWidget):
     def _dot(self, number: int | None) -> Dot | None:
         return next((dot for dot in self._dots() if dot.number == number), None)
 
+    @property
+    def _is_legend_shown(self) -> bool:
+        """Whether there are several yachts, and room for enough of each name to tell them apart."""
+        return 1 < len(self._curves) <= self.width() // _NAME_PX
+
     def _frame(self) -> QRectF:
         metrics = self.fontMetrics()
         left = metrics.horizontalAdvance("Wed 00:00 " if self._measure == "arrival" else "000 h ") + 4
-        legend = 1.5 if len(self._curves) > 1 else 0.5
+        legend = 1.5 if self._is_legend_shown else 0.5
         top = legend * metrics.height()
         return QRectF(left, top, self.width() - left - 14.0, self.height() - top - 2.1 * metrics.height() - 4)
 
@@ -255,7 +267,7 @@ class DepartureCurve(QWidget):
         if scales is not None:
             self._draw_axes(painter, *scales)
             for number, curve in enumerate(self._curves):
-                self._draw_band(painter, curve, self._ink(_COLOURS[number % 4], 46), *scales)
+                self._draw_band(painter, curve, self._ink(COLOURS[number % 4], 46), *scales)
             for number, curve in enumerate(self._curves):
                 self._draw_curve(painter, curve, number % 4, *scales)
             self._draw_legend(painter)
@@ -268,12 +280,13 @@ class DepartureCurve(QWidget):
     def _draw_axes(self, painter: QPainter, x: Scale, y: Scale) -> None:
         metrics, frame = painter.fontMetrics(), self._frame()
         grid, text = QPen(self._ink(LINE), 1.0), self._ink(MUTED)
-        for value in ticks_h(y.low, y.high, max(2, int(frame.height() / (2.2 * metrics.height())))):
+        ticks = ticks_h if self._measure == "duration" else _ticks_of_day
+        for value in ticks(y.low, y.high, max(2, int(frame.height() / (2.2 * metrics.height())))):
             at = y.to_px(value)
             painter.setPen(grid)
             painter.drawLine(QPointF(frame.left(), at), QPointF(frame.right(), at))
             painter.setPen(text)
-            label = self.tr("{h:g} h").format(h=value) if self._measure == "duration" else _day_clock(value)
+            label = fill(self.tr("{h:g} h"), h=value) if self._measure == "duration" else _day_clock(value)
             box = QRectF(0, at - metrics.height() / 2, frame.left() - 6, metrics.height())
             painter.drawText(box, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter, label)
         self._draw_times(painter, x)
@@ -285,7 +298,7 @@ class DepartureCurve(QWidget):
         metrics, frame = painter.fontMetrics(), self._frame()
         most = max(2, int(frame.width() / (metrics.horizontalAdvance("00 MMM") + 14)))
         by_day = step_h(x.high - x.low, most) >= HOURS_PER_DAY
-        for value in ticks_h(x.low, x.high, most):
+        for value in _ticks_of_day(x.low, x.high, most):
             at = x.to_px(value)
             painter.setPen(QPen(self._ink(LINE), 1.0))
             painter.drawLine(QPointF(at, frame.top()), QPointF(at, frame.bottom() + 3))
@@ -296,8 +309,7 @@ class DepartureCurve(QWidget):
         if by_day:
             return
         painter.setPen(self._ink(INK))
-        first = math.ceil(x.low / HOURS_PER_DAY)
-        days = [x.low, *(HOURS_PER_DAY * k for k in range(first, math.floor(x.high / HOURS_PER_DAY) + 1))]
+        days = [x.low, *_midnights(x.low, x.high)]
         for begin, end in pairwise([*days, math.inf]):
             label = _day(begin, "ddd d MMM")
             left = max(x.to_px(begin), frame.left())
@@ -326,9 +338,9 @@ class DepartureCurve(QWidget):
             painter.drawPolyline(QPolygonF([QPointF(at, y.to_px(dot.middle or 0.0)) for at, dot in sides]))
 
     def _draw_curve(self, painter: QPainter, curve: Curve, number: int, x: Scale, y: Scale) -> None:
-        colour = self._ink(_COLOURS[number])
+        colour = self._ink(COLOURS[number])
         painter.setBrush(Qt.BrushStyle.NoBrush)
-        painter.setPen(QPen(colour, 2.0, _STROKES[number]))
+        painter.setPen(QPen(colour, 2.0, STROKES[number]))
         for part in _parts(curve.dots, lambda dot: dot.value is not None):
             for here, there in pairwise(part):
                 painter.drawLine(self._place(here, x, y), self._place(there, x, y))
@@ -353,25 +365,28 @@ class DepartureCurve(QWidget):
             for side in (-1, 1):
                 arm = QPointF(_DOT_PX, side * _DOT_PX)
                 painter.drawLine(at - arm, at + arm)
-        if dot.number in self._best:
+        if dot.number == self._named:
             font = painter.font()
             painter.setFont(scaled_font(font, 1.0, bold=True))
             painter.setPen(self._ink(INK))
-            height = painter.fontMetrics().height()
-            box = QRectF(at.x() - 60, at.y() - 3.0 * _DOT_PX - height, 120, height)
-            painter.drawText(box, Qt.AlignmentFlag.AlignHCenter, self.tr("best"))
+            text, metrics = self.tr("best"), painter.fontMetrics()
+            half = metrics.horizontalAdvance(text) / 2.0 + 2.0
+            # Within the frame: the words beside the axis are not to be written over.
+            middle = min(max(at.x(), self._frame().left() + half), self._frame().right() - half)
+            box = QRectF(middle - 60, at.y() - 3.0 * _DOT_PX - metrics.height(), 120, metrics.height())
+            painter.drawText(box, Qt.AlignmentFlag.AlignHCenter, text)
             painter.setFont(font)
 
     def _draw_legend(self, painter: QPainter) -> None:
         """Name the yachts above the frame, where there are several; each gets its share of the width."""
-        if len(self._curves) < 2:
+        if not self._is_legend_shown:
             return
         frame, metrics = self._frame(), painter.fontMetrics()
         share = frame.width() / len(self._curves)
         for number, curve in enumerate(self._curves):
             left = frame.left() + number * share
             middle = 2 + metrics.height() / 2
-            painter.setPen(QPen(self._ink(_COLOURS[number % 4]), 2.0, _STROKES[number % 4]))
+            painter.setPen(QPen(self._ink(COLOURS[number % 4]), 2.0, STROKES[number % 4]))
             painter.drawLine(QPointF(left, middle), QPointF(left + 22, middle))
             painter.setPen(self._ink(INK))
             name = metrics.elidedText(curve.yacht, Qt.TextElideMode.ElideRight, int(share - 32))
@@ -379,12 +394,31 @@ class DepartureCurve(QWidget):
 
 
 def _moment(hours: float) -> datetime:
-    return datetime.fromtimestamp(hours * SECONDS_PER_HOUR, UTC)
+    return in_zone(datetime.fromtimestamp(hours * SECONDS_PER_HOUR, UTC))
+
+
+def _zone_h(hours: float) -> float:
+    """How far the clock that is shown is ahead of UTC [h]."""
+    offset = _moment(hours).utcoffset()
+    return offset.total_seconds() / SECONDS_PER_HOUR if offset else 0.0
+
+
+def _ticks_of_day(low: float, high: float, most: int) -> list[float]:
+    """Even hours of the clock that is shown, as hours since 1970."""
+    ahead = _zone_h(low)
+    return [tick - ahead for tick in ticks_h(low + ahead, high + ahead, most)]
+
+
+def _midnights(low: float, high: float) -> list[float]:
+    """Beginnings of the days, as hours since 1970."""
+    ahead = _zone_h(low)
+    first, last = math.ceil((low + ahead) / HOURS_PER_DAY), math.floor((high + ahead) / HOURS_PER_DAY)
+    return [HOURS_PER_DAY * k - ahead for k in range(first, last + 1)]
 
 
 def _day(hours: float, pattern: str) -> str:
-    utc = _moment(hours)
-    return QLocale().toString(QDate(utc.year, utc.month, utc.day), pattern)
+    local = _moment(hours)
+    return QLocale().toString(QDate(local.year, local.month, local.day), pattern)
 
 
 def _day_clock(hours: float) -> str:

@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
     QComboBox,
     QHBoxLayout,
     QPushButton,
+    QStackedWidget,
     QToolButton,
     QVBoxLayout,
     QWidget,
@@ -23,7 +24,9 @@ from PySide6.QtWidgets import (
 from seacruise.desktop.banner import text_label
 from seacruise.desktop.compute import Answer, Fetcher, Question, fetch_wind
 from seacruise.desktop.jobs import Work
+from seacruise.desktop.language import sentence
 from seacruise.desktop.pages.departures_curve import DepartureCurve
+from seacruise.desktop.pages.departures_matrix import YachtMatrix
 from seacruise.desktop.pages.departures_model import (
     Begun,
     Comparer,
@@ -35,13 +38,21 @@ from seacruise.desktop.pages.departures_model import (
     compare_departures,
     compare_passages,
 )
-from seacruise.desktop.pages.departures_table import NOTE_COLUMN, YACHT_COLUMN, columns, tip_of
+from seacruise.desktop.pages.departures_table import (
+    LEAST_MOTOR_H,
+    MOTOR_COLUMN,
+    NOTE_COLUMN,
+    YACHT_COLUMN,
+    columns,
+    tip_of,
+)
 from seacruise.desktop.pages.flow import named
 from seacruise.desktop.pages.inbox import Inbox
-from seacruise.desktop.pages.page import Page, Phase, Texts, number_box
+from seacruise.desktop.pages.page import MARGIN_PX, Page, Phase, Texts, number_box
 from seacruise.desktop.pages.rows import Looks, RowsTable
 from seacruise.desktop.pages.words import reason_of, run_text, short_moment, tr, verdict_sentences
 from seacruise.desktop.style import scaled_font
+from seacruise.desktop.units_choice import units_choice
 
 if TYPE_CHECKING:
     from seacruise.settings import Settings
@@ -50,7 +61,8 @@ if TYPE_CHECKING:
 MOST_YACHTS: Final = 4
 """Curves of more yachts than this are not told apart."""
 
-_SIDE_BY_SIDE_PX: Final = 910
+_SIDE_BY_SIDE_PX: Final = 620
+_CURVE_PX: Final = 162
 
 
 class DeparturesPage(Page):
@@ -114,8 +126,8 @@ class DeparturesPage(Page):
             self.tr("Plan for each member too, where the forecast has members: the band behind the curve")
         )
         self.add_controls(
-            named(self.tr("Dep&artures"), self.count_box),
-            named(self.tr("e&very"), self.every_box),
+            named(self.tr("Depart&ures"), self.count_box),
+            named(self.tr("eve&ry"), self.every_box),
             self.yacht_box,
             self.members_box,
         )
@@ -131,6 +143,13 @@ class DeparturesPage(Page):
         self.adopt_button.clicked.connect(self._take_current)
         looks = Looks(self._note, NOTE_COLUMN, tip_of, lambda row: row.is_best)
         self.table = RowsTable(self.tr("Departures compared"), columns(), looks, self.body)
+        self.matrix = YachtMatrix(self.body)
+        self._tables = QStackedWidget(self.body)
+        for table in (self.table, self.matrix):
+            self._tables.addWidget(table)
+        self.matrix.chosen.connect(lambda row: None if row is None else self._choose(row.number))
+        self.matrix.taken.connect(self._take)
+        units_choice().changed.connect(self._show_results)
         self.curve.chosen.connect(self._choose)
         self.curve.taken.connect(self._take_number)
         self.table.chosen.connect(self._row_chosen)
@@ -140,23 +159,21 @@ class DeparturesPage(Page):
         upper.addWidget(self.sentence, 1)
         for button in self._make_measures():
             upper.addWidget(button, 0, Qt.AlignmentFlag.AlignTop)
-        left = QVBoxLayout()
-        left.addWidget(self.curve, 1)
+        self._halves = QBoxLayout(QBoxLayout.Direction.TopToBottom)
+        self._halves.setSpacing(10)
+        self._halves.addWidget(self.curve, 2)
+        self._halves.addWidget(self._tables, 3)
         below = QHBoxLayout()
         below.addWidget(self.detail, 1)
         below.addWidget(self.adopt_button, 0, Qt.AlignmentFlag.AlignTop)
-        left.addLayout(below)
-        self._halves = QBoxLayout(QBoxLayout.Direction.TopToBottom)
-        self._halves.setSpacing(10)
-        self._halves.addLayout(left, 2)
-        self._halves.addWidget(self.table, 3)
         layout = QVBoxLayout(self.body)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(6)
         layout.addLayout(upper)
         layout.addWidget(self.notice)
         layout.addLayout(self._halves, 1)
-        self.table.setMinimumHeight(5 * self.table.verticalHeader().defaultSectionSize())
+        layout.addLayout(below)
+        self._tables.setMinimumHeight(5 * self.table.verticalHeader().defaultSectionSize())
 
     def _make_measures(self) -> list[QToolButton]:
         self._measures = QButtonGroup(self)
@@ -174,7 +191,17 @@ class DeparturesPage(Page):
             self._measures.addButton(button, len(buttons))
             buttons.append(button)
         self._measures.idToggled.connect(lambda _number, on: self._show_results() if on else None)
-        return buttons
+        self.matrix_button = QToolButton(self.body)
+        self.matrix_button.setObjectName("chip")
+        self.matrix_button.setText(self.tr("By yacht"))
+        self.matrix_button.setToolTip(
+            self.tr("A column for each yacht, in place of every figure of each passage")
+        )
+        self.matrix_button.setCheckable(True)
+        self.matrix_button.setChecked(True)
+        self.matrix_button.hide()
+        self.matrix_button.toggled.connect(lambda _on: self._show_table())
+        return [*buttons, self.matrix_button]
 
     # --- yachts -------------------------------------------------------------------------------------
 
@@ -299,9 +326,17 @@ class DeparturesPage(Page):
             notices.append(
                 self.tr("Compared is the direct passage, not by way of {via}.").format(via=question.via.name)
             )
-        self.notice.setText(" ".join(filter(None, notices)))
+        self.notice.setText(sentence(" ".join(filter(None, notices))))
         self.notice.setVisible(bool(self.notice.text()))
-        self.table.setColumnHidden(YACHT_COLUMN, len(self._comparison.yachts) < 2)
+        several = len(self._comparison.yachts) > 1
+        self.table.setColumnHidden(YACHT_COLUMN, not several)
+        self.matrix_button.setVisible(several)
+        self._show_table()
+
+    def _show_table(self) -> None:
+        by_yacht = not self.matrix_button.isHidden() and self.matrix_button.isChecked()
+        self._tables.setCurrentWidget(self.matrix if by_yacht else self.table)
+        self._share_room()
 
     @property
     def measure(self) -> Measure:
@@ -314,6 +349,10 @@ class DeparturesPage(Page):
             return
         rows = comparison.rows()
         self.table.show_rows(rows)
+        motored = any(row.run is not None and (row.run.motor_h or 0.0) >= LEAST_MOTOR_H for row in rows)
+        self.table.setColumnHidden(MOTOR_COLUMN, not motored)
+        self.matrix.cells.show_rows(rows, comparison.yachts, self.measure)
+        self._share_room()
         self.curve.show_curves(
             comparison.curves(self.measure),
             self.measure,
@@ -347,14 +386,23 @@ class DeparturesPage(Page):
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Put curve and table side by side where there is room, else one above the other."""
         super().resizeEvent(event)
+        self._share_room()
+
+    def _share_room(self) -> None:
+        """Give the table what it needs, as long as enough is left to the curve."""
         wide = self.width() >= _SIDE_BY_SIDE_PX
         side = QBoxLayout.Direction.LeftToRight if wide else QBoxLayout.Direction.TopToBottom
         if self._halves.direction() != side:
             self._halves.setDirection(side)
+        room = self.width() - 2 * MARGIN_PX - self._halves.spacing()
+        share = max(round(0.6 * room), min(self.table.needed_px, room - _CURVE_PX))
+        for part, stretch in enumerate((room - share, share) if wide else (2, 3)):
+            self._halves.setStretch(part, stretch)
 
     def show_light(self, light: str) -> None:
         """Draw in the colours of a light."""
         self.curve.show_light(light)
+        self.matrix.cells.light = light
 
     # --- choosing -----------------------------------------------------------------------------------
 
@@ -362,7 +410,9 @@ class DeparturesPage(Page):
         self.table.choose(lambda row: row.number == number)
 
     def _row_chosen(self, row: Row | None) -> None:
-        self.curve.choose(None if row is None else row.number)
+        number = None if row is None else row.number
+        self.curve.choose(number)
+        self.matrix.choose(number)
         self._show_detail(row)
 
     def _take_number(self, number: int) -> None:
@@ -381,7 +431,7 @@ class DeparturesPage(Page):
 def _texts() -> Texts:
     return Texts(
         tr("When to go"),
-        tr("&Compare"),
+        tr("Comp&are"),
         tr(
             "Plans the passage of the form for several departures, from its own on, and shows how long each "
             "takes, when it arrives and in what wind. Choose how many, and press Compare."

@@ -8,10 +8,17 @@ from typing import Any, Final
 from seacruise.desktop.pages.departures_model import Row
 from seacruise.desktop.pages.rows import Column
 from seacruise.desktop.pages.words import clock, run_text, short_moment, tr
+from seacruise.desktop.units_choice import wind_number, wind_unit
 
 YACHT_COLUMN: Final = 1
 NOTE_COLUMN: Final = 2
 """From here on a departure without a passage has its reason instead of figures."""
+
+
+MOTOR_COLUMN: Final = 7
+
+LEAST_MOTOR_H: Final = 0.05
+"""Less than this under engine [h] is nothing to tell."""
 
 
 def columns() -> tuple[Column, ...]:
@@ -25,12 +32,12 @@ def columns() -> tuple[Column, ...]:
         return lambda row: "" if value(row) is None else say(value(row))
 
     def hours(value: float) -> str:
-        return f"{value:.0f}" if value >= 0.05 else "–"
+        return f"{value:.0f}" if value >= LEAST_MOTOR_H else "–"
 
     return (
         Column(
             tr("Leaves"),
-            tr("Departure, UTC"),
+            tr("Departure"),
             lambda row: short_moment(row.departure),
             lambda row: (row.departure, row.number),
             "Wed 00 00:00",
@@ -48,24 +55,24 @@ def columns() -> tuple[Column, ...]:
         Column(tr("Hours"), tr("Duration"), text("duration_h", clock), number("duration_h"), "00 h 00"),
         Column(
             tr("Arrives"),
-            tr("Arrival, UTC"),
+            tr("Arrival"),
             text("arrival", short_moment),
             number("arrival"),
             "Wed 00 00:00",
         ),
         Column(
-            tr("kn"),
-            tr("Strongest true wind [kn]"),
-            text("max_tws_kn", lambda v: f"{v:.0f}"),
+            wind_unit,
+            tr("Strongest true wind"),
+            text("max_tws_kn", wind_number),
             number("max_tws_kn"),
             "00",
         ),
         Column(
             tr("Upwind"),
             tr("Part of the time closer than 60° to the true wind"),
-            text("upwind_share", lambda v: f"{v:.0%}"),
+            text("upwind_share", lambda v: f"{100.0 * v:.0f} %"),
             number("upwind_share"),
-            "100%",
+            "100 %",
         ),
         Column(tr("Night"), tr("Hours in the dark"), text("night_h", hours), number("night_h"), "00"),
         Column(tr("Motor"), tr("Hours under engine"), text("motor_h", hours), number("motor_h"), "00"),

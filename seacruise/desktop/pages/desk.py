@@ -75,6 +75,8 @@ class Desk(QObject):
 
     def note(self, state: WindowState) -> None:
         """Take note of how a calculation ended: whether the services can be reached, what is kept now."""
+        if self._passages is not None:
+            self._passages.save_button.setEnabled(state.answer is not None)
         if self._weather is None:
             return
         if state.phase is Phase.FAILED and state.error is not None:
@@ -119,6 +121,7 @@ class Desk(QObject):
             page = self._passages = PassagesPage(self._settings)
             self._in_window(page, self.tr("Saved passages"), 760, 420)
             page.open_requested.connect(self.open_saved)
+            page.save_requested.connect(self.save)
             page.saved.connect(self._saved)
             page.failed.connect(lambda _error: _bring_up(page))
         return self._passages
@@ -126,6 +129,7 @@ class Desk(QObject):
     def show_passages(self) -> None:
         """Open the page of saved passages."""
         self.passages.load()
+        self.passages.save_button.setEnabled(self._window.state.answer is not None)
         _bring_up(self.passages)
 
     def save(self) -> None:
@@ -153,7 +157,8 @@ class Desk(QObject):
         layout = QVBoxLayout(dialog)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(page)
-        dialog.resize(width, height)
+        room = self._window.screen().availableGeometry()
+        dialog.resize(min(width, round(0.94 * room.width())), min(height, round(0.9 * room.height())))
         dialog.setMinimumSize(440, 320)
 
     def shut_down(self) -> None:

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLineEdit, QPushButton, QVBoxLayout, 
 
 from seacruise.desktop.banner import text_label
 from seacruise.desktop.jobs import JobRunner
+from seacruise.desktop.language import sentence
 from seacruise.desktop.pages.flow import FlowLayout
 from seacruise.desktop.pages.weather_model import KeyState, ask_with_key, keep_key, remove_key
 from seacruise.errors import WeatherError
@@ -121,7 +122,7 @@ class KeyBox(QWidget):
         refused = isinstance(error, WeatherError) and error.reason == "bad-key" and typed
         # The service's own sentence speaks of the environment, where this key is not from.
         own = self.tr("Storm Glass does not accept this key; copy it again from your page there.")
-        self._say(own if refused else str(error), "fault")
+        self._say(own if refused else sentence(str(error)), "fault")
         self._show_buttons()
         self.tested.emit(error)
 

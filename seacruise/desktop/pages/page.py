@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import Enum
+from typing import Final
 
 from PySide6.QtCore import QCoreApplication, Qt, Signal
 from PySide6.QtGui import QKeyEvent
@@ -20,10 +21,14 @@ from PySide6.QtWidgets import (
 
 from seacruise.desktop.banner import Banner, text_label
 from seacruise.desktop.jobs import JobRunner, Work
+from seacruise.desktop.language import sentence
 from seacruise.desktop.messages import Message, message_for
 from seacruise.desktop.pages.flow import FlowLayout
 from seacruise.desktop.style import scaled_font
 from seacruise.errors import SeaCruiseError
+
+MARGIN_PX: Final = 12
+"""Left and right of everything on a page."""
 
 
 class Phase(Enum):
@@ -121,7 +126,7 @@ class Page(QFrame):
         self.controls = FlowLayout(top)
         self._banners = QVBoxLayout()
         self._layout = QVBoxLayout(self)
-        self._layout.setContentsMargins(12, 8, 12, 10)
+        self._layout.setContentsMargins(MARGIN_PX, 8, MARGIN_PX, 10)
         self._layout.setSpacing(7)
         self._layout.addLayout(head)
         self._layout.addWidget(top)
@@ -196,7 +201,8 @@ class Page(QFrame):
     def _progressed(self, _generation: int, _stage: str, fraction: float | None, message: str) -> None:
         self.progress.setRange(0, 0 if fraction is None else 1000)
         self.progress.setValue(round(1000 * (fraction or 0.0)))
-        self.message.setText(message[:1].upper() + message[1:])
+        said = sentence(message)
+        self.message.setText(said[:1].upper() + said[1:])
         self.take_delivery()
         self._show_parts()
 
@@ -222,6 +228,7 @@ class Page(QFrame):
         self.phase = phase
         busy = phase is Phase.BUSY
         self.cancel_button.setEnabled(busy)
+        self.cancel_button.setVisible(busy)
         self.run_button.setEnabled(not busy)
         self.progress.setVisible(busy)
         self.message.setVisible(busy)

@@ -7,7 +7,7 @@ from contextlib import suppress
 from datetime import UTC, datetime
 from typing import TYPE_CHECKING, Any, Final
 
-from PySide6.QtCore import QCoreApplication, QEvent, Qt, Signal
+from PySide6.QtCore import QCoreApplication, QDate, QEvent, QLocale, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QKeySequence, QResizeEvent
 from PySide6.QtWidgets import (
     QFrame,
@@ -21,17 +21,20 @@ from PySide6.QtWidgets import (
 
 from seacruise.desktop.banner import text_label
 from seacruise.desktop.jobs import JobRunner
+from seacruise.desktop.language import sentence
 from seacruise.desktop.messages import message_for
 from seacruise.desktop.pages.flow import FlowLayout
 from seacruise.desktop.pages.passages_model import Done, asked_of, brought_back, deleted, on_the_shelf
 from seacruise.desktop.pages.rows import Column, Looks, RowsTable
 from seacruise.desktop.style import scaled_font
+from seacruise.desktop.units_choice import in_zone
 from seacruise.errors import SeaCruiseError
 from seacruise.export.textform import format_duration
 from seacruise.passages import Entry, Listing, Opened, SavedPassages
 
 if TYPE_CHECKING:
     from seacruise.desktop.compute import Answer
+    from seacruise.passage import Passage
     from seacruise.settings import Settings
 
 _WIDE_PX: Final = 640
@@ -61,8 +64,8 @@ def columns() -> tuple[Column, ...]:
         ),
         Column(
             tr("Departure"),
-            tr("When she leaves, UTC"),
-            lambda e: f"{e.departure:%d %b %Y %H:%M}",
+            tr("When she leaves"),
+            lambda e: _day_and_time(in_zone(e.departure)),
             lambda e: e.departure,
             "28 May 2026 00:00",
         ),
@@ -116,11 +119,13 @@ class Notice(QFrame):
 class PassagesPage(QFrame):
     """The page.
 
-    Signals: ``open_requested(Opened)`` with a passage as it was saved, ``saved(Entry)``, ``loaded(Listing)``
-    whenever the list was looked at, ``failed(error)`` besides what the page itself says.
+    Signals: ``open_requested(Opened)`` with a passage as it was saved, ``save_requested()`` while there is
+    none to open, ``saved(Entry)``, ``loaded(Listing)`` whenever the list was looked at, ``failed(error)``
+    besides what the page itself says.
     """
 
     open_requested = Signal(object)
+    save_requested = Signal()
     saved = Signal(object)
     loaded = Signal(object)
     failed = Signal(object)
@@ -155,6 +160,8 @@ class PassagesPage(QFrame):
         )
         self.invitation.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop)
         self.invitation.hide()
+        self.save_button = QPushButton(self.tr("&Save the passage on the chart"), self)
+        self.save_button.hide()
         self.details = text_label("", "hint", self)
         self.details.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.fault, self.damage, self.undone = Notice(self), Notice(self), Notice(self)
@@ -177,7 +184,8 @@ class PassagesPage(QFrame):
         layout.setSpacing(7)
         for widget in (title, self.fault, self.damage, self.undone):
             layout.addWidget(widget)
-        layout.addWidget(self.invitation, 1)
+        layout.addWidget(self.invitation)
+        layout.addWidget(self.save_button, 1, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop)
         layout.addWidget(self.table, 10)
         layout.addWidget(self.details)
         layout.addWidget(buttons)
@@ -187,6 +195,7 @@ class PassagesPage(QFrame):
         self.table.chosen.connect(self._show_current)
         self.table.taken.connect(lambda _entry: self.open())
         self.open_button.clicked.connect(self.open)
+        self.save_button.clicked.connect(self.save_requested)
         self.rename_button.clicked.connect(self.ask_for_name)
         self.delete_button.clicked.connect(self.delete)
         self.undone.pressed.connect(self.undo)
@@ -227,7 +236,8 @@ class PassagesPage(QFrame):
         asked, now = asked_of(answer.question), datetime.now(UTC)
 
         def do(shelf: SavedPassages) -> Entry:
-            return shelf.save(answer.passage, asked, answer.wind, name=name, now=now)
+            usual = name or _usual_name(answer.passage)
+            return shelf.save(answer.passage, asked, answer.wind, name=usual, now=now)
 
         def then(entry: Entry) -> None:
             self.table.choose(lambda one: one.number == entry.number)
@@ -317,7 +327,7 @@ class PassagesPage(QFrame):
     def _not_done(self, error: SeaCruiseError) -> None:
         self._queue.pop(0)
         message = message_for(error)
-        self.fault.say("error", f"{message.title}. {message.sentence}", self.tr("Close"))
+        self.fault.say("error", f"{message.title}. {sentence(message.sentence)}", self.tr("Close"))
         self.failed.emit(error)
         self._go_on()
 
@@ -356,6 +366,7 @@ class PassagesPage(QFrame):
         for widget in (self.table, self.details, self._buttons):
             widget.setVisible(filled)
         self.invitation.setVisible(not filled)
+        self.save_button.setVisible(not filled)
         self._show_current()
 
     def _choose_row(self, row: int) -> None:
@@ -371,7 +382,7 @@ class PassagesPage(QFrame):
             self.details.setText("")
             return
         ends = f"{entry.start} – {entry.end}, {entry.yacht}"
-        self.details.setText(f"{ends}\n{entry.provenance(datetime.now(UTC))}")
+        self.details.setText(f"{ends}\n{sentence(entry.provenance(datetime.now(UTC)))}")
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Leave the yachts out where there is no room; the line below names the one that is chosen."""
@@ -389,3 +400,14 @@ class PassagesPage(QFrame):
         for do, _ in waiting:
             with suppress(SeaCruiseError):
                 on_the_shelf(self._settings.database, do)
+
+
+def _usual_name(passage: Passage) -> str:
+    """Ports and departure, UTC, with the month as the sailor's language writes it."""
+    leaves = _day_and_time(passage.departure.astimezone(UTC))
+    return f"{passage.start.name} – {passage.end.name}, {leaves}"
+
+
+def _day_and_time(moment: datetime) -> str:
+    day = QLocale().toString(QDate(moment.year, moment.month, moment.day), "dd MMM yyyy")
+    return f"{day} {moment:%H:%M}"

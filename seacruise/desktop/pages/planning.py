@@ -24,6 +24,7 @@ from seacruise.ports import Port
 if TYPE_CHECKING:
     from seacruise.desktop.background import Catalogue
     from seacruise.desktop.equal_time import TimeLine
+    from seacruise.desktop.pages.departures_model import Row
     from seacruise.desktop.state import Horizon
     from seacruise.desktop.window import MainWindow
     from seacruise.settings import Settings
@@ -58,6 +59,9 @@ class Planning(QObject):
         self._add_entry(menu, self.tr("When to &go"), "Ctrl+G", self.departures)
         self._add_entry(menu, self.tr("Where to g&o"), "Ctrl+Shift+G", self.reach)
         self.departures.adopted.connect(self._leave)
+        self.departures.table.chosen.connect(self._compare)
+        frame.turned.connect(lambda: self._compare(self.departures.table.current))
+        window.layers.ways.departure_picked.connect(self._leave)
         self.reach.adopted.connect(self._sail_to)
         self.reach.port_chosen.connect(self._show_port)
         self.reach.isochrones_ready.connect(self._show_lines)
@@ -126,6 +130,11 @@ class Planning(QObject):
         window.form.departure.set_moment(moment, chosen=True)
         if not follows:
             window.calculate()
+
+    def _compare(self, row: Row | None) -> None:
+        """Show the way of the chosen departure faintly, while its page is open."""
+        shown = row is not None and self.frame.is_open and self.departures.isVisible()
+        self._window.layers.ways.compare(row.run if row is not None and shown else None)
 
     def _sail_to(self, port: Port) -> None:
         self._window.form.set_end("to", port)

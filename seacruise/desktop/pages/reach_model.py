@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from datetime import datetime, timedelta
 from enum import Enum
-from typing import TYPE_CHECKING, Any, Final, Protocol
+from typing import TYPE_CHECKING, Final, Protocol
 
 import numpy as np
 
@@ -100,31 +100,22 @@ def explore_ports(request: ReachRequest, *, ports: Sequence[Port], settings: Set
     return reach(request, ports=ports, settings=settings, job=job)
 
 
-def fetch_wind_around(
+def fetch_for_outset(
     outset: Outset, hours: float, ports: Sequence[Port], settings: Settings, job: Job
 ) -> Wind:
-    """Get the wind around a start, as far as the ports lie that she may reach within some hours."""
-    from seacruise.sea import Sea
-    from seacruise.weather.source import SERVICE_MARGIN_DEG, fetch_wind
+    """`seacruise.reach.fetch_wind_around` as the form asks it."""
+    from seacruise.reach import fetch_wind_around
 
-    start = outset.start
-    most = farthest_nm(outset.yacht, outset.options, hours)
-    margin = SERVICE_MARGIN_DEG + margin_deg(start, ports, most)
-
-    def is_water(lat: Any, lon: Any) -> Any:
-        sea = Sea.around((start.lat,), (start.lon,), margin_deg=margin, cache_dir=settings.cache_dir)
-        return sea.is_water(lat, lon)
-
-    here = (start.lat, start.lon)
-    return fetch_wind(
-        outset.forecast,
-        start=here,
-        end=here,
+    return fetch_wind_around(
+        outset.start,
+        outset.yacht,
+        options=outset.options,
+        hours=hours,
+        ports=ports,
+        names=outset.forecast,
         departure=outset.departure,
         settings=settings,
         job=job,
-        is_water=is_water,
-        margin_deg=margin,
         weights=outset.weights or None,
     )
 
@@ -146,7 +137,7 @@ def find_ports(
     settings: Settings,
     job: Job,
     known: Answer | None = None,
-    fetcher: Fetcher = fetch_wind_around,
+    fetcher: Fetcher = fetch_for_outset,
     explorer: Explorer = explore_ports,
 ) -> Found:
     """Find the ports in reach.

@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 from seacruise.desktop.banner import text_label
 from seacruise.desktop.compute import Answer
 from seacruise.desktop.jobs import Work
+from seacruise.desktop.language import sentence
 from seacruise.desktop.pages.flow import named
 from seacruise.desktop.pages.page import Page, Texts, number_box
 from seacruise.desktop.pages.reach_model import (
@@ -30,14 +31,15 @@ from seacruise.desktop.pages.reach_model import (
     Row,
     Wish,
     explore_ports,
-    fetch_wind_around,
+    fetch_for_outset,
     find_ports,
     home_by,
     matches,
 )
 from seacruise.desktop.pages.rows import Column, Looks, RowsTable
-from seacruise.desktop.pages.words import about, clock, rounded, short_moment, tr
+from seacruise.desktop.pages.words import about, clock, moment_in_short, rounded, short_moment, tr
 from seacruise.desktop.style import scaled_font
+from seacruise.desktop.units_choice import distance_number, distance_text, distance_unit, units_choice
 from seacruise.errors import InputError
 from seacruise.ports import Port
 from seacruise.reach import LONGEST_H
@@ -75,7 +77,7 @@ class ReachPage(Page):
         *,
         ask: Callable[[], Outset],
         known: Callable[[], Answer | None] = lambda: None,
-        fetcher: Fetcher = fetch_wind_around,
+        fetcher: Fetcher = fetch_for_outset,
         explorer: Explorer = explore_ports,
         parent: QWidget | None = None,
     ) -> None:
@@ -106,8 +108,8 @@ class ReachPage(Page):
         )
         for box in (self.time_box, self.stay_box):
             box.lineEdit().returnPressed.connect(self.start)
-        self.stay = named(self.tr("sta&y"), self.stay_box)
-        self.add_controls(named(self.tr("&Time"), self.time_box, self.unit_box), self.back_box, self.stay)
+        self.stay = named(self.tr("&stay"), self.stay_box)
+        self.add_controls(named(self.tr("T&ime"), self.time_box, self.unit_box), self.back_box, self.stay)
 
     def _make_results(self) -> None:
         self.sentence = text_label("", parent=self.body)
@@ -127,6 +129,7 @@ class ReachPage(Page):
         self.table = RowsTable(self.tr("Ports in reach"), _columns(), _looks(), self.body)
         self.table.sortByColumn(_OUT, Qt.SortOrder.AscendingOrder)
         self.table.chosen.connect(self._row_chosen)
+        units_choice().changed.connect(self._show_units)
         self.table.taken.connect(self._take)
         self.filter_field.textChanged.connect(self._filter)
         self.fits_box.toggled.connect(self._filter)
@@ -218,17 +221,21 @@ class ReachPage(Page):
         if self._found is not None:
             self.isochrones_ready.emit(list(self._found.lines))
 
+    def _show_units(self) -> None:
+        if self._found is not None:
+            self._show_head(self._found)
+
     def _show_head(self, found: Found) -> None:
         reach = found.reach
-        time = tr("{time} from {start}, leaving {leaves} UTC, {yacht}").format(
+        time = tr("{time} from {start}, leaving {leaves}, {yacht}").format(
             time=about(reach.hours),
             start=reach.start.name,
-            leaves=short_moment(reach.departure),
+            leaves=moment_in_short(reach.departure),
             yacht=reach.yacht,
         )
         self.heading.setText(time)
         self.sentence.setText(reach_sentence(found))
-        self.notice.setText(" ".join(reach.notices))
+        self.notice.setText(sentence(" ".join(reach.notices)))
         self.notice.setVisible(bool(reach.notices))
 
     def _filter(self) -> None:
@@ -260,20 +267,20 @@ def reach_sentence(found: Found) -> str:
     """Say how many ports fit, and which of them is farthest."""
     rows, reach = found.rows, found.reach
     fitting = [row for row in rows if row.fit is Fit.FITS]
-    until = short_moment(home_by(reach))
+    until = moment_in_short(home_by(reach))
     if not rows:
         return tr("No port is reached in {time}.").format(time=about(reach.hours))
     if not fitting:
-        return tr("{n} ports are reached, but none of them and back by {until} UTC.").format(
+        return tr("{n} ports are reached, but none of them and back by {until}.").format(
             n=len(rows), until=until
         )
     farthest = max(fitting, key=lambda row: row.found.distance_nm)
     if len(fitting) == 1:
-        text = tr("One port fits, {port}: {spare} to spare by {until} UTC.")
+        text = tr("One port fits, {port}: {spare} to spare by {until}.")
     elif found.wish.back:
-        text = tr("{n} ports fit, back by {until} UTC; the farthest is {port}, with {spare} to spare.")
+        text = tr("{n} ports fit, back by {until}; the farthest is {port}, with {spare} to spare.")
     else:
-        text = tr("{n} ports are reached by {until} UTC; the farthest is {port}, with {spare} to spare.")
+        text = tr("{n} ports are reached by {until}; the farthest is {port}, with {spare} to spare.")
     return text.format(
         n=len(fitting), until=until, port=farthest.port.name, spare=about(farthest.spare_h or 0.0)
     )
@@ -291,7 +298,7 @@ def fit_text(row: Row) -> str:
 def _texts() -> Texts:
     return Texts(
         tr("Where to go"),
-        tr("&Find ports"),
+        tr("Fi&nd ports"),
         tr(
             "Finds every port that you reach from the start of the form in the time you have, and whether "
             "you are back in time. Say how much time there is, and press Find ports."
@@ -332,7 +339,7 @@ def _columns() -> tuple[Column, ...]:
         ),
         Column(
             tr("Arrives"),
-            tr("Arrival, UTC"),
+            tr("Arrival"),
             lambda row: short_moment(row.found.arrival),
             lambda row: row.found.arrival,
             "Wed 00 00:00",
@@ -346,15 +353,15 @@ def _columns() -> tuple[Column, ...]:
         ),
         Column(
             tr("Leave by"),
-            tr("Latest departure from there that is back in time, UTC"),
+            tr("Latest departure from there that is back in time"),
             lambda row: "" if row.found.leave_by is None else short_moment(row.found.leave_by),
             lambda row: row.found.leave_by,
             "Wed 00 00:00",
         ),
         Column(
-            tr("nm"),
-            tr("Length of the way out, nautical miles"),
-            lambda row: f"{row.found.distance_nm:.0f}",
+            distance_unit,
+            tr("Length of the way out"),
+            lambda row: distance_number(row.found.distance_nm, 0),
             lambda row: row.found.distance_nm,
             "000",
         ),
@@ -365,7 +372,9 @@ def _looks() -> Looks:
     def tip(row: Row) -> str:
         parts = [f"{row.port.name}: {fit_text(row)}."]
         if row.found.snapped_nm > 0.5:
-            parts.append(tr("Its water lies {nm:.1f} nm away.").format(nm=row.found.snapped_nm))
+            parts.append(
+                tr("Its water lies {distance} away.").format(distance=distance_text(row.found.snapped_nm))
+            )
         if row.found.beyond_forecast_h >= 0.5:
             parts.append(
                 tr("{h:.0f} h of the way are beyond the forecast.").format(h=row.found.beyond_forecast_h)

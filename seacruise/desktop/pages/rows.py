@@ -19,11 +19,14 @@ from PySide6.QtGui import QFont, QFontMetrics, QResizeEvent
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView, QWidget
 
 from seacruise.desktop.style import scaled_font
+from seacruise.desktop.units_choice import units_choice
 
 Index = QModelIndex | QPersistentModelIndex
 
 SORT_ROLE: Final = Qt.ItemDataRole.UserRole
 _PADDING_PX: Final = 12
+_FRAME_PX: Final = 2
+_SHARED_PX: Final = 120
 _ARROW_ROOM: Final = "   "
 
 
@@ -33,6 +36,8 @@ class Column:
 
     Attributes
     ----------
+    head
+        Its head, or what gives it where that changes with the units.
     text, key
         What a row shows, and what it is sorted by; a key of ``None`` comes last in either direction.
     sample
@@ -41,13 +46,18 @@ class Column:
         Takes the room that is left besides.
     """
 
-    head: str
+    head: str | Callable[[], str]
     tip: str
     text: Callable[[Any], str]
     key: Callable[[Any], Any]
     sample: str
     left: bool = False
     takes_rest: bool = False
+
+
+def head_of(column: Column) -> str:
+    """Give the head of a column."""
+    return column.head if isinstance(column.head, str) else column.head()
 
 
 @dataclass(frozen=True, slots=True)
@@ -128,7 +138,7 @@ class RowsModel(QAbstractTableModel):
             return None
         column = self.columns[section]
         if role == Qt.ItemDataRole.DisplayRole:
-            return column.head
+            return head_of(column)
         if role == Qt.ItemDataRole.ToolTipRole:
             return column.tip
         if role == Qt.ItemDataRole.TextAlignmentRole:
@@ -222,8 +232,16 @@ class RowsTable(QTableView):
         self.selectionModel().currentRowChanged.connect(self._row_changed)
         self.activated.connect(lambda index: self.taken.emit(self.sorted.row_at(index)))
         self.clicked.connect(lambda index: self.pressed_row.emit(self.sorted.row_at(index)))
+        units_choice().changed.connect(self._show_units)
         for changed in (self.sorted.layoutChanged, self.sorted.modelReset):
             changed.connect(self._join_cells)
+
+    def _show_units(self) -> None:
+        """Write everything anew in the units that were chosen."""
+        last = len(self.rows.columns) - 1
+        self.rows.headerDataChanged.emit(Qt.Orientation.Horizontal, 0, last)
+        if self.rows.rows:
+            self.rows.dataChanged.emit(self.rows.index(0, 0), self.rows.index(len(self.rows.rows) - 1, last))
 
     def _size_columns(self) -> None:
         head = self.horizontalHeader()
@@ -235,8 +253,15 @@ class RowsTable(QTableView):
 
     def _width_of(self, column: Column) -> int:
         bold = QFontMetrics(self.rows.bold_font)
-        head = self.horizontalHeader().fontMetrics().horizontalAdvance(column.head + _ARROW_ROOM) + 4
+        head = self.horizontalHeader().fontMetrics().horizontalAdvance(head_of(column) + _ARROW_ROOM) + 4
         return max(bold.horizontalAdvance(column.sample), head) + _PADDING_PX
+
+    @property
+    def needed_px(self) -> int:
+        """Width with which no column that is shown is cut off."""
+        shown = [k for k in range(len(self.rows.columns)) if not self.isColumnHidden(k)]
+        bar = self.verticalScrollBar().sizeHint().width()
+        return sum(self._width_of(self.rows.columns[k]) for k in shown) + bar + 2 * _FRAME_PX
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Share the room out anew."""
@@ -244,12 +269,21 @@ class RowsTable(QTableView):
         self._share_room()
 
     def _share_room(self) -> None:
-        """Give a column the room that the others leave; Qt's own stretching would squeeze it to nothing."""
+        """Share the room that is left out; Qt's own stretching would squeeze a column to nothing.
+
+        Half of it goes to the column that takes the rest: all of it would put the figures of a wide window
+        far away from what they are of.
+        """
         columns = self.rows.columns
-        taker = next((number for number, column in enumerate(columns) if column.takes_rest), None)
-        if taker is not None:
-            others = sum(self.columnWidth(k) for k in range(len(columns)) if k != taker)
-            self.setColumnWidth(taker, max(self._width_of(columns[taker]), self.viewport().width() - others))
+        shown = [k for k in range(len(columns)) if not self.isColumnHidden(k)]
+        taker = next((k for k in shown if columns[k].takes_rest), None)
+        if taker is None:
+            return
+        spare = max(self.viewport().width() - sum(self._width_of(columns[k]) for k in shown), 0)
+        each = spare // (2 * len(shown)) if spare > _SHARED_PX else 0
+        for k in shown:
+            more = each if k != taker else spare - each * (len(shown) - 1)
+            self.setColumnWidth(k, self._width_of(columns[k]) + more)
 
     def show_rows(self, rows: Sequence[Any]) -> None:
         """Show rows; the current one stays so where it is still there."""

@@ -16,10 +16,12 @@ from PySide6.QtWidgets import (
 )
 
 from seacruise.desktop.banner import text_label
+from seacruise.desktop.language import fill, sentence
 from seacruise.desktop.messages import format_age
 from seacruise.desktop.pages.page import number_box
 from seacruise.desktop.pages.weather_model import HOMEPAGES, ONLINE, SERVICES, FileInfo, Source
 from seacruise.desktop.style import scaled_font
+from seacruise.desktop.units_choice import format_moment, moment_text
 
 _LEAST_WEIGHT: Final = 0.1
 _MOST_WEIGHT: Final = 10.0
@@ -58,11 +60,11 @@ def gives_text(gives: tuple[str, ...]) -> str:
 
 def file_text(info: FileInfo) -> str:
     """Say what a file covers, in lines."""
-    span = f"{info.first:%d %b %Y %H:%M} – {info.last:%d %b %Y %H:%M} UTC"
-    steps = [tr("every {n:g} h").format(n=info.step_h)] if info.step_h else []
-    steps += [tr("{n:g}° grid").format(n=info.resolution_deg)] if info.resolution_deg else []
-    issued = [tr("run of {time:%d %b %Y %H:%M} UTC").format(time=info.issued)] if info.issued else []
-    lines = [span, info.area, ", ".join([*steps, *issued])]
+    span = f"{format_moment(info.first)} – {moment_text(info.last)}"
+    steps = [fill(tr("every {n:g} h"), n=info.step_h)] if info.step_h else []
+    steps += [fill(tr("{n:g}° grid"), n=info.resolution_deg)] if info.resolution_deg else []
+    issued = [tr("run of {moment}").format(moment=moment_text(info.issued))] if info.issued else []
+    lines = [span, sentence(info.area), ", ".join([*steps, *issued])]
     return "\n".join(filter(None, lines))
 
 
@@ -181,7 +183,8 @@ class Card(QFrame):
             tr("not reached") if unreached else tr("ready") if source.usable else tr("not now"),
             good=source.usable and not unreached,
         )
-        self._tell(self.remark, source.remark[:1].upper() + source.remark[1:])
+        remark = sentence(source.remark)
+        self._tell(self.remark, remark[:1].upper() + remark[1:])
         self._tell(self.gives, gives_text(source.gives) if source.gives else "")
         kept = ""
         if source.kept is not None:
@@ -191,7 +194,7 @@ class Card(QFrame):
         elif self.name in ONLINE - {"auto"}:
             kept = tr("Nothing kept yet")
         self._tell(self.kept, kept)
-        self._show_terms(source.terms)
+        self._show_terms(sentence(source.terms))
 
     def _show_terms(self, terms: str) -> None:
         page = HOMEPAGES.get(self.name, "")
@@ -216,15 +219,15 @@ class Card(QFrame):
         self.use_button.setEnabled(True)
         self._tell(self.remark, file_text(info))
         self._tell(self.gives, gives_text(("wind", *info.brings)))
-        self._tell(self.kept, info.notice)
+        self._tell(self.kept, sentence(info.notice))
         self._show_file_controls(usable=True)
 
-    def show_fault(self, sentence: str) -> None:
+    def show_fault(self, why: str) -> None:
         """Show why a file cannot be used."""
         self._say_status(tr("cannot be used"), good=False)
         self.remark.setObjectName("fault")
         self.remark.style().polish(self.remark)
-        self._tell(self.remark, sentence)
+        self._tell(self.remark, sentence(why))
         self._show_file_controls(usable=False)
 
     def _show_file_controls(self, *, usable: bool) -> None:

@@ -23,8 +23,9 @@ from PySide6.QtWidgets import (
 )
 
 from seacruise.desktop.banner import Banner, text_label
-from seacruise.desktop.form import FILE_TYPES
+from seacruise.desktop.forecast_box import FILE_TYPES
 from seacruise.desktop.jobs import JobRunner
+from seacruise.desktop.language import fill
 from seacruise.desktop.messages import Message
 from seacruise.desktop.pages.flow import FlowLayout, named
 from seacruise.desktop.pages.key_box import KeyBox
@@ -270,7 +271,7 @@ class WeatherPage(QFrame):
         for name, card in self._all_cards():
             self._mark(name, card)
         parts = [
-            title_of(name) + (f" ({weight:g})" if weights else "")
+            title_of(name) + (fill(" ({n:g})", n=weight) if weights else "")
             for name, weight in _weighed(names, weights).items()
         ]
         what = self.tr("the mean of {parts}") if len(names) > 1 else "{parts}"
@@ -305,7 +306,7 @@ class WeatherPage(QFrame):
         if mix.is_mean:
             parts = zip(mix.names, mix.shares(), strict=True)
             self.mean_text.setText(
-                ", ".join(f"{title_of(name)} {share:.0%}" for name, share in parts)
+                ", ".join(f"{title_of(name)} {100.0 * share:.0f} %" for name, share in parts)
                 + self.tr(". Their spread tells how far they disagree.")
             )
         else:

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from datetime import UTC, datetime, timedelta
+from datetime import datetime, timedelta
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QCoreApplication, QDate, QLocale
 
+from seacruise.desktop.language import sentence
 from seacruise.desktop.messages import message_for
 from seacruise.desktop.pages.departures_model import Comparison, Outcome, Verdict
+from seacruise.desktop.units_choice import distance_text, in_zone, zone_text
 from seacruise.errors import NoPassageError
 from seacruise.export.textform import to_minute
 
@@ -22,16 +24,22 @@ def tr(text: str) -> str:
 
 
 def short_moment(moment: datetime) -> str:
-    """Weekday, day and time, UTC: ``Sun 20 06:00``."""
-    utc = to_minute(moment)
-    return f"{QLocale().toString(QDate(utc.year, utc.month, utc.day), 'ddd d')} {utc:%H:%M}"
+    """Weekday, day and time without the zone, for tables: ``Sun 20 06:00``."""
+    local = in_zone(to_minute(moment))
+    return f"{QLocale().toString(QDate(local.year, local.month, local.day), 'ddd d')} {local:%H:%M}"
+
+
+def moment_in_short(moment: datetime) -> str:
+    """Weekday, day and time with the zone: ``Sun 20 06:00 UTC``."""
+    return f"{short_moment(moment)} {zone_text(moment)}"
 
 
 def spoken_moment(moment: datetime, *, since: datetime) -> str:
-    """Day and time as one says it, UTC: the weekday alone within six days, then the date with it."""
-    utc = to_minute(moment)
-    pattern = "dddd" if abs(utc - since.astimezone(UTC)) < timedelta(days=6) else "dddd d MMMM"
-    return f"{QLocale().toString(QDate(utc.year, utc.month, utc.day), pattern)} {utc:%H:%M}"
+    """Day and time as one says it, with the zone: within six days the weekday alone, else the date."""
+    local = in_zone(to_minute(moment))
+    pattern = "dddd" if abs(local - since) < timedelta(days=6) else "dddd d MMMM"
+    day = QLocale().toString(QDate(local.year, local.month, local.day), pattern)
+    return f"{day} {local:%H:%M} {zone_text(moment)}"
 
 
 def clock(hours: float) -> str:
@@ -75,7 +83,7 @@ def verdict_sentences(comparison: Comparison) -> list[str]:
     if fastest.yacht == first.yacht:
         return [tr("{yacht} is fastest.").format(yacht=first.yacht), _sentence(first, comparison)]
     leaves = spoken_moment(fastest.best.departure, since=comparison.present)
-    said = tr("Fastest is {yacht}, leaving {leaves} UTC: {hours} under way.").format(
+    said = tr("Fastest is {yacht}, leaving {leaves}: {hours} under way.").format(
         yacht=fastest.yacht, leaves=leaves, hours=clock(fastest.best.duration_h or 0.0)
     )
     return [said, f"{first.yacht}: {_sentence(first, comparison)}"]
@@ -92,15 +100,15 @@ def _sentence(verdict: Verdict, comparison: Comparison) -> str:
         return spoken_moment(moment, since=comparison.present)
 
     texts = {
-        Outcome.ONLY: tr("{leaves} UTC is the only departure with a passage: {hours} under way."),
+        Outcome.ONLY: tr("{leaves} is the only departure with a passage: {hours} under way."),
         Outcome.EQUAL: tr("It makes no difference when you leave: {hours} under way."),
         Outcome.PRESENT: tr(
-            "Leaving as planned, {leaves} UTC, is best: {hours} under way, up to {saves} less than later."
+            "Leaving as planned, {leaves}, is best: {hours} under way, up to {saves} less than later."
         ),
-        Outcome.OTHER: tr("Leaving {leaves} UTC saves {saves}: {hours} under way instead of {other}."),
-        Outcome.UNLIKE_PRESENT: tr("Best is leaving {leaves} UTC: {hours} under way."),
+        Outcome.OTHER: tr("Leaving {leaves} saves {saves}: {hours} under way instead of {other}."),
+        Outcome.UNLIKE_PRESENT: tr("Best is leaving {leaves}: {hours} under way."),
         Outcome.LESS_HELD: tr(
-            "Leaving {leaves} UTC is best: {hours} under way. Others seem shorter, but more than a tenth of "
+            "Leaving {leaves} is best: {hours} under way. Others seem shorter, but more than a tenth of "
             "them is beyond the forecast."
         ),
     }
@@ -116,13 +124,13 @@ def run_text(run: Run) -> str:
     """One departure in full, for the line below the curve: its passage, or why there is none."""
     leaves = short_moment(run.departure)
     if run.duration_h is None or run.arrival is None:
-        return f"{leaves}: {run.message}"
+        return f"{leaves}: {sentence(run.message)}"
     parts = [
-        tr("{leaves} to {arrives} UTC: {hours}, {nm:.0f} nm").format(
+        tr("{leaves} to {arrives}: {hours}, {distance}").format(
             leaves=leaves,
-            arrives=short_moment(run.arrival),
+            arrives=moment_in_short(run.arrival),
             hours=clock(run.duration_h),
-            nm=run.distance_nm or 0.0,
+            distance=distance_text(run.distance_nm or 0.0, 0),
         )
     ]
     if run.beyond_forecast_h:

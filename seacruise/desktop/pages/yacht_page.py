@@ -138,6 +138,7 @@ class YachtPage(QFrame):
         area.setFrameShape(QFrame.Shape.NoFrame)
         area.setWidgetResizable(True)
         area.setWidget(body)
+        area.setAccessibleName(self.tr("Yacht and polar"))
         self._banners = QVBoxLayout()
         self._banners.setContentsMargins(12, 0, 12, 0)
         for widget in (self.busy, self.invitation, self.fit_panel):

@@ -9,6 +9,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QCheckBox, QComboBox, QHBoxLayout, QSlider, QVBoxLayout, QWidget
 
 from seacruise.desktop.banner import text_label
+from seacruise.desktop.language import fill, sentence
 from seacruise.desktop.pages.flow import FlowLayout, named
 from seacruise.desktop.pages.page import number_box
 from seacruise.desktop.pages.polar_diagram import PolarDiagram
@@ -144,7 +145,7 @@ class YachtView(QWidget):
         self.title.setText(
             self.tr("{one} and {two} (dashed)").format(one=one, two=other.yacht.name) if other else one
         )
-        self.source.setText(mine.yacht.source)
+        self.source.setText(sentence(mine.yacht.source))
         self.source.setVisible(bool(mine.yacht.source))
         self.wind_slider.blockSignals(True)
         self.wind_slider.setRange(mine.least_kn, mine.most_kn)
@@ -218,5 +219,5 @@ class YachtView(QWidget):
         text = angle_text(mine, cut, angle, self.share, hull=self.hull_box.isChecked())
         if other is not None:
             speed = reading_at(other.yacht, cut.tws_kn, angle, self.share).boat_speed_kn
-            text += self.tr("  {yacht}: {speed:.2f} kn.").format(yacht=other.yacht.name, speed=speed)
+            text += fill(self.tr("  {yacht}: {speed:.2f} kn."), yacht=other.yacht.name, speed=speed)
         return text

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from PySide6.QtCore import QCoreApplication
 
+from seacruise.desktop.language import fill, sentence
 from seacruise.desktop.pages.rows import Column
 from seacruise.desktop.pages.yacht_model import FromLog, Shown, reading_at, scaled
 from seacruise.export.polar_slices import Slice
@@ -44,13 +45,13 @@ def target_columns() -> tuple[Column, ...]:
         return float(mine.vmg_kn - theirs.vmg_kn) * row.percent / 100.0
 
     def signed(value: float | None) -> str:
-        return "" if value is None else f"{value:+.2f}"
+        return "" if value is None else fill("{n:+.2f}", n=value)
 
     return (
         Column(
             tr("TWS"),
             tr("True wind speed [kn]"),
-            lambda r: f"{r.targets.tws_kn:g}",
+            lambda r: fill("{n:g}", n=r.targets.tws_kn),
             lambda r: r.targets.tws_kn,
             "00000",
         ),
@@ -64,14 +65,14 @@ def target_columns() -> tuple[Column, ...]:
         Column(
             tr("kn"),
             tr("Boat speed on the beat [kn]"),
-            lambda r: f"{beat(r).boat_speed_kn:.2f}",
+            lambda r: fill("{n:.2f}", n=beat(r).boat_speed_kn),
             lambda r: beat(r).boat_speed_kn,
             "00.00",
         ),
         Column(
             tr("VMG"),
             tr("Made good against the wind [kn]"),
-            lambda r: f"{beat(r).vmg_kn:.2f}",
+            lambda r: fill("{n:.2f}", n=beat(r).vmg_kn),
             lambda r: beat(r).vmg_kn,
             "00.00",
         ),
@@ -85,14 +86,14 @@ def target_columns() -> tuple[Column, ...]:
         Column(
             tr("kn"),
             tr("Boat speed on the run [kn]"),
-            lambda r: f"{run(r).boat_speed_kn:.2f}",
+            lambda r: fill("{n:.2f}", n=run(r).boat_speed_kn),
             lambda r: run(r).boat_speed_kn,
             "00.00",
         ),
         Column(
             tr("VMG"),
             tr("Made good with the wind [kn]"),
-            lambda r: f"{run(r).vmg_kn:.2f}",
+            lambda r: fill("{n:.2f}", n=run(r).vmg_kn),
             lambda r: run(r).vmg_kn,
             "00.00",
         ),
@@ -119,8 +120,12 @@ COMPARING_COLUMNS = (7, 8)
 def best_text(cut: Slice, percent: float) -> str:
     """Best beat and run in a wind, while no angle is looked at."""
     share = percent / 100.0
-    return tr("Best beat {beat:.0f}°, VMG {up:.2f} kn.  Best run {run:.0f}°, VMG {down:.2f} kn.").format(
-        beat=cut.beat.twa, up=cut.beat.vmg_kn * share, run=cut.run.twa, down=cut.run.vmg_kn * share
+    return fill(
+        tr("Best beat {beat:.0f}°, VMG {up:.2f} kn.  Best run {run:.0f}°, VMG {down:.2f} kn."),
+        beat=cut.beat.twa,
+        up=cut.beat.vmg_kn * share,
+        run=cut.run.twa,
+        down=cut.run.vmg_kn * share,
     )
 
 
@@ -131,13 +136,12 @@ def angle_text(shown: Shown, cut: Slice, angle: float, percent: float, *, hull: 
     if isinstance(shown.yacht, TwoSided):
         tack = tr(" port") if angle < 0.0 else tr(" starboard")
     parts = [
-        tr("TWA {twa:.0f}°{tack}: {speed:.2f} kn").format(
-            twa=found.twa, tack=tack, speed=found.boat_speed_kn
+        fill(tr("TWA {twa:.0f}°{tack}: {speed:.2f} kn"), twa=found.twa, tack=tack, speed=found.boat_speed_kn),
+        fill(
+            tr("VMG {vmg:.2f} kn to windward") if found.twa < 90.0 else tr("VMG {vmg:.2f} kn to leeward"),
+            vmg=found.vmg_kn,
         ),
-        (
-            tr("VMG {vmg:.2f} kn to windward") if found.twa < 90.0 else tr("VMG {vmg:.2f} kn to leeward")
-        ).format(vmg=found.vmg_kn),
-        tr("apparent {awa:.0f}°, {aws:.1f} kn").format(awa=found.awa, aws=found.aws_kn),
+        fill(tr("apparent {awa:.0f}°, {aws:.1f} kn"), awa=found.awa, aws=found.aws_kn),
     ]
     if found.sail:
         parts.append(found.sail)
@@ -155,34 +159,41 @@ def _better(cut: Slice, course: float, percent: float) -> str:
     made *= percent / 100.0
     if chord.twa1 == -chord.twa2:
         how = tr("tacking") if course < 90.0 else tr("gybing")
-        return tr("{how} at {angle:.0f}° makes good {made:.2f} kn that way.").format(
-            how=how[:1].upper() + how[1:], angle=abs(chord.twa1), made=made
+        return fill(
+            tr("{how} at {angle:.0f}° makes good {made:.2f} kn that way."),
+            how=how[:1].upper() + how[1:],
+            angle=abs(chord.twa1),
+            made=made,
         )
     one, two = (
         f"{abs(angle):.0f}°" + (f" ({sail})" if sail else "")
         for angle, sail in ((chord.twa1, chord.sail1), (chord.twa2, chord.sail2))
     )
-    return tr("{one} and {two} by turns make good {made:.2f} kn that way.").format(
-        one=one, two=two, made=made
-    )
+    return fill(tr("{one} and {two} by turns make good {made:.2f} kn that way."), one=one, two=two, made=made)
 
 
 def fit_text(found: FromLog) -> str:
     """Say what a log has told."""
     said = [
-        tr("Fitted to {n} steady means of 10 s from {logs}.").format(n=found.steady, logs=found.points.source)
+        tr("Fitted to {n} steady means of 10 s from {logs}.").format(
+            n=found.steady, logs=sentence(found.points.source)
+        )
     ]
     if found.share is not None and found.share_error is not None:
         said.append(
-            tr("She sails {share:.1f} ± {error:.1f} % of the polar it was held against.").format(
-                share=100.0 * found.share, error=100.0 * found.share_error
+            fill(
+                tr("She sails {share:.1f} ± {error:.1f} % of the polar it was held against."),
+                share=100.0 * found.share,
+                error=100.0 * found.share_error,
             )
         )
     if found.tacks is not None:
         faster = tr("starboard") if found.tacks > 0.0 else tr("port")
         said.append(
-            tr("She is {percent:.1f} % faster on {tack} tack.").format(
-                percent=100.0 * abs(found.tacks), tack=faster
+            fill(
+                tr("She is {percent:.1f} % faster on {tack} tack."),
+                percent=100.0 * abs(found.tacks),
+                tack=faster,
             )
         )
     return " ".join(said)

@@ -46,18 +46,18 @@ def compare(window: MainWindow, comparer: HeldComparer, qtbot: QtBot) -> None:
 
 def test_a_page_takes_the_place_of_the_legs(answered: MainWindow) -> None:
     planning = answered.planning
-    assert answered.legs_frame.isVisible()
+    assert answered.pane.isVisible()
     assert not planning.frame.is_open
     entry(answered, "Where to go").trigger()
     assert planning.reach.isVisible()
     assert planning.reach.run_button.hasFocus()
-    assert not answered.legs_frame.isVisible()
+    assert not answered.pane.isVisible()
     entry(answered, "When to go").trigger()
     assert planning.departures.isVisible()
     assert not planning.reach.isVisible()
     QTest.mouseClick(planning.frame.close_button, Qt.MouseButton.LeftButton)
     assert not planning.frame.is_open
-    assert answered.legs_frame.isVisible()
+    assert answered.pane.isVisible()
 
 
 def test_departures_are_those_of_the_form_in_the_wind_of_the_passage(
