@@ -195,7 +195,7 @@ class Answer:
             )
         said.extend(self._limits_without_forecast())
         if self.request.zones:
-            said.append(f"{len(self.request.zones.zones)} zones of your layers are kept clear of.")
+            said.append(self.request.zones.told)
         said.extend(f"The passage touches the closed zone {name}." for name in self.sailed.zones_entered)
         narrow = float(legs[self.course.short_tacked].sum())
         if narrow > TELL_SNAP_NM:

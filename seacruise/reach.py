@@ -405,7 +405,7 @@ def _notices(request: ReachRequest, start: Place, found: Sequence[PortReached]) 
             "that is connected with the open sea."
         )
     if request.zones:
-        said.append(f"{len(request.zones.zones)} zones of your layers are kept clear of.")
+        said.append(request.zones.told)
     if not found:
         said.append(
             "No port is reached: the time is too short, the wind too light, or stronger than is allowed."

@@ -136,9 +136,9 @@ class Run:
         return tuple(None if h is None else self.departure + timedelta(hours=h) for h in hours)
 
     @property
-    def held_share(self) -> float:
-        """Part of the time sailed on wind held beyond the forecast."""
-        return (self.beyond_forecast_h or 0.0) / self.duration_h if self.duration_h else 0.0
+    def is_forecast(self) -> bool:
+        """Whether at most `HELD_SHARE` of the time is sailed on wind held beyond the forecast."""
+        return (self.beyond_forecast_h or 0.0) <= HELD_SHARE * (self.duration_h or 0.0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -165,7 +165,7 @@ class Study:
         Passages of which more than `HELD_SHARE` is sailed on held wind only count when there is no other.
         """
         found = [run for run in (self.of_yacht(yacht) if yacht else self.runs) if run.found]
-        known = [run for run in found if run.held_share <= HELD_SHARE]
+        known = [run for run in found if run.is_forecast]
         return min(known or found, key=lambda run: (run.duration_h, run.departure), default=None)
 
 

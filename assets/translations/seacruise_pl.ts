@@ -3029,6 +3029,10 @@ Przybycie {arrives}</translation>
         <translation>Nie można utworzyć twojego folderu biegunowych {}: {}; zwolnij tam miejsce.</translation>
     </message>
     <message>
+        <source>Zones of your layers that are kept clear of: {}.</source>
+        <translation>Omijane strefy z twoich warstw: {}.</translation>
+    </message>
+    <message>
         <source>a boat speed is negative or not finite</source>
         <translation>prędkość jachtu jest ujemna lub nieskończona</translation>
     </message>
@@ -4171,10 +4175,6 @@ Przybycie {arrives}</translation>
     <message>
         <source>{} yachts cannot be told apart; compare {} at most.</source>
         <translation>Tylu jachtów ({}) nie da się odróżnić; porównaj najwyżej {}.</translation>
-    </message>
-    <message>
-        <source>{} zones of your layers are kept clear of.</source>
-        <translation>Omijane strefy z twoich warstw: {}.</translation>
     </message>
     <message>
         <source>{}, and she arrives at {} UTC at the earliest; choose a later arrival.</source>
@@ -5347,6 +5347,10 @@ Przybycie {arrives}</translation>
     <message>
         <source>None of these departures leads to a passage; each row says why.</source>
         <translation>Żadne z tych wyjść nie daje trasy; każdy wiersz mówi dlaczego.</translation>
+    </message>
+    <message>
+        <source>Nothing can be said yet about when to leave: more than a tenth of every passage is beyond the forecast. In the wind held from then on, leaving {leaves} is shortest: {hours} under way.</source>
+        <translation>O chwili wyjścia nie można jeszcze nic powiedzieć: ponad jedna dziesiąta każdej trasy leży po końcu prognozy. Na wietrze utrzymanym od tej chwili najkrótsze jest wyjście {leaves}: {hours} w drodze.</translation>
     </message>
     <message>
         <source>Nothing was changed.</source>

@@ -97,7 +97,7 @@ def study_to_text(study: Study, *, now: datetime) -> str:
         blocks.append(f"{yacht}\n{_table(runs, best)}")
     blocks.append("\n".join(best_sentences(study)))
     notices = [f"! {notice}" for notice in (study.forecast.notice, NOTICE) if notice]
-    if late := [run for run in study.runs if run.held_share > 0.0]:
+    if late := [run for run in study.runs if run.beyond_forecast_h]:
         fading = any(run.passage is not None and run.passage.beyond == "fade" for run in late)
         how = "which fades to the usual there" if fading else "held as it was"
         notices.insert(-1, f"! Late: hours sailed after the end of the forecast, in its last wind, {how}.")
@@ -168,6 +168,11 @@ def _best_of(study: Study, yacht: str) -> str:
     others = [run for run in runs if run.found and run is not best]
     if not others:
         return f"{leaving}."
+    if not best.is_forecast:
+        return (
+            f"{leaving}, but more than a tenth of every passage is beyond the forecast: nothing can be said "
+            "yet about when to leave."
+        )
     first, slowest = others[0], max(others, key=lambda run: run.duration_h or 0.0)
     against = first if first.departure < best.departure else slowest
     assert against.duration_h is not None

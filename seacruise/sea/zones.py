@@ -60,6 +60,11 @@ class Zones:
     def __bool__(self) -> bool:
         return bool(self.zones)
 
+    @property
+    def told(self) -> str:
+        """Sentence for the sailor."""
+        return f"Zones of your layers that are kept clear of: {len(self.zones)}."
+
     @cached_property
     def arrays(self) -> tuple[NDArray[np.int64], Array, Array, Array]:
         """What the kernels call ``zones``, see `seacruise.sea._prisms.closed`."""

@@ -24,11 +24,14 @@ from tests.passages import hand_made_passage
 @pytest.fixture
 def planned(app: QApplication, qtbot: QtBot, settings: Settings) -> MainWindow:
     """A window with a passage, at rest."""
+    others = set(threading.enumerate())
     window = MainWindow(settings, planner=lambda *_, **__: hand_made_passage(), fetcher=fetch_at_once)
     # The pages really plan here. A worker that goes on after the window might collect its cycles.
     qtbot.addWidget(
         window,
-        before_close_func=lambda _: qtbot.waitUntil(lambda: threading.active_count() == 1, timeout=90_000),
+        before_close_func=lambda _: qtbot.waitUntil(
+            lambda: set(threading.enumerate()) <= others, timeout=90_000
+        ),
     )
     window.resize(1280, 800)
     window.fill(ASK)

@@ -103,7 +103,7 @@ def test_polish_writes_numbers_days_and_buttons_its_own_way() -> None:
 
 SNAPPED = (
     "The passage begins 1.3 nm from Gdynia, at the nearest water of the chart that is connected with the "
-    "open sea. 3 zones of your layers are kept clear of."
+    "open sea. Zones of your layers that are kept clear of: 3."
 )
 SNAPPED_PL = (
     "Trasa zaczyna się 1,3 Mm od Gdynia, na najbliższej wodzie mapy połączonej z otwartym morzem. "

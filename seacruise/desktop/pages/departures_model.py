@@ -235,6 +235,7 @@ class Outcome(Enum):
     OTHER = "other"
     UNLIKE_PRESENT = "unlike-present"
     LESS_HELD = "less-held"
+    BEYOND = "beyond"
 
 
 @dataclass(frozen=True, slots=True)
@@ -369,6 +370,8 @@ class Comparison:
         found = [run for run in study.of_yacht(yacht) if run.found]
         if len(found) == 1:
             return Verdict(yacht, Outcome.UNLIKE_PRESENT if missing else Outcome.ONLY, best)
+        if not best.is_forecast:
+            return Verdict(yacht, Outcome.BEYOND, best)
         longest = max(found, key=_hours)
         present = self._present_of(yacht)
         if _hours(longest) - min(map(_hours, found)) < SAME_H:

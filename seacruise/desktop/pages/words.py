@@ -111,6 +111,10 @@ def _sentence(verdict: Verdict, comparison: Comparison) -> str:
             "Leaving {leaves} is best: {hours} under way. Others seem shorter, but more than a tenth of "
             "them is beyond the forecast."
         ),
+        Outcome.BEYOND: tr(
+            "Nothing can be said yet about when to leave: more than a tenth of every passage is beyond the "
+            "forecast. In the wind held from then on, leaving {leaves} is shortest: {hours} under way."
+        ),
     }
     return texts[verdict.outcome].format(
         leaves=say(best.departure),

@@ -24,6 +24,7 @@ from seacruise.desktop.pages.departures_model import (
 )
 from seacruise.desktop.pages.inbox import Inbox
 from seacruise.desktop.pages.plot import Scale, step_h, ticks_h, with_room
+from seacruise.desktop.pages.words import verdict_sentences
 from seacruise.errors import CancelledError, InputError, NoPassageError
 from seacruise.passage import PassageRequest
 from seacruise.progress import Job
@@ -257,6 +258,16 @@ def test_too_much_held_wind_is_no_ground_for_a_choice() -> None:
     assert verdict.outcome is Outcome.LESS_HELD
     assert verdict.best is not None
     assert verdict.best.duration_h == 38.0
+
+
+def test_where_all_is_beyond_the_forecast_no_departure_saves_anything() -> None:
+    made = comparison({BAVARIA: [34.0, 40.0]})
+    made.add(Arrived(0, run_of(FIRST, 34.0, held_h=20.0)))
+    made.add(Arrived(1, run_of(later(6.0), 40.0, held_h=26.0)))
+    verdict = made.verdict(BAVARIA)
+    assert verdict.outcome is Outcome.BEYOND
+    assert verdict.hours == 0.0
+    assert verdict_sentences(made)[0].startswith("Nothing can be said yet about when to leave")
 
 
 def test_while_others_are_awaited_nothing_is_called_the_only_one() -> None:
