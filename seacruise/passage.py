@@ -212,7 +212,7 @@ def _with_few_turns(
         return best
     found, _, sailed = best
     lost = _lost(asked, best)
-    free = options.refine and options.board_h is None and not found.boards_found
+    free = options.refine and options.corridor and options.board_h is None and not found.boards_found
     if free and sailed.turns and lost > BOARDS_COST:
         best = min(best, as_if_dearer(CHEAP_TURN_S), key=lambda one: float(one[2].time[-1]))
     most = math.inf if options.most_turns is None else options.most_turns
@@ -367,6 +367,7 @@ def how_of(options: Options) -> How:
         spacing_nm=options.spacing_nm,
         area="rectangle" if is_classic else options.area,
         refine=options.refine and not is_classic,
+        corridor=options.corridor,
         handling=handling_in_knots(
             tacking=options.tacking and not is_classic,
             percent=options.percent_of_polar,

@@ -319,6 +319,14 @@ def test_a_faster_yacht_is_not_later_and_more_courses_are_not_slower(across: Pla
     assert hours[2] <= hours[1] * 1.003 <= hours[0] * 1.006
 
 
+@pytest.mark.parametrize("ends", [(SOUTH, NORTH), (NORTH, SOUTH)])
+def test_without_the_corridor_the_passage_is_nearly_as_good(across: Plan, ends: tuple[Port, Port]) -> None:
+    ways: tuple[dict[str, Any], ...] = ({}, {"refine": False}, {"corridor": False})
+    best, first, quick = (across(sample(), start=ends[0], end=ends[1], **way).duration_h for way in ways)
+    assert best * 0.999 <= quick <= best * 1.002
+    assert quick <= first
+
+
 def test_later_is_never_earlier(sea_settings: Settings) -> None:
     request = PassageRequest(SOUTH, NORTH, yacht(), sample(), DEPARTURE)
     arrivals = [

@@ -153,7 +153,7 @@ def replan(
     Parameters
     ----------
     rough
-        Leave the refinement out: half a per cent slower a passage, in half the time.
+        Leave the search in the corridor out, see `seacruise.passage.Options`.
 
     Raises
     ------
@@ -161,7 +161,7 @@ def replan(
         Why there is no answer; `CancelledError` when the job was cancelled.
     """
     refuse_same_port(question.start, question.end)
-    asked = replace(question, options=replace(question.options, refine=False)) if rough else question
+    asked = replace(question, options=replace(question.options, corridor=False)) if rough else question
     answer = _answer(asked, known.wind, known.layers, planner=planner, settings=settings, job=job)
     return replace(answer, question=question, rough=rough)
 

@@ -13,7 +13,8 @@ from seacruise.desktop.units_choice import distance_text, height_text, wind_text
 from seacruise.errors import InputError
 from seacruise.passage import Options
 
-NAMES: Final = tuple(field.name for field in fields(Options))
+NAMES: Final = tuple(field.name for field in fields(Options) if field.name != "corridor")
+"""What a sailor may set; the corridor is left out by the window itself while something is dragged."""
 DEFAULTS: Final = Options()
 
 OFFERED: Final = (

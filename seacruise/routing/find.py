@@ -81,6 +81,7 @@ class How:
     area: Literal["ellipse", "rectangle"] | None
     refine: bool
     handling: Handling
+    corridor: bool = True
     boards: Boards = USUAL
     mesh: stencil.Kind = "triangular"
     safety: Safety = NO_SAFETY
@@ -215,7 +216,7 @@ class Finder:
         waters, line = turned or (waters, line)
         if asked.how.refine:
             job.report("refine", None, "Refining the passage")
-            line, settled = refine(waters, line, job)
+            line, settled = refine(waters, line, job, corridor=asked.how.corridor)
             ledger.settled += settled
         ledger.lap("refine")
         ledger.vertices, ledger.edges = grid.vertices, int(grid.target.size)

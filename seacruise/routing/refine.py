@@ -212,11 +212,18 @@ def in_corridor(
     return timed(waters, lattice.x[path], lattice.y[path], float(line.times[0])), lattice, settled
 
 
-def refine(waters: Waters, first: Line, job: Job) -> tuple[Line, int]:
+def refine(waters: Waters, first: Line, job: Job, *, corridor: bool = True) -> tuple[Line, int]:
     """Refine what the first search found; returns the line and the vertices settled on the way.
 
     Never slower than ``first``, but for the share of `SIMPLIFY`.
+
+    Parameters
+    ----------
+    corridor
+        Search again in the corridor; else the waypoints of ``first`` are relaxed as they are.
     """
+    if not corridor:
+        return simplified(waters, relaxed(waters, first)), 0
     lat, lon = from_mercator(first.x[[0, -1]], first.y[[0, -1]])
     distance_nm = float(great_circle_m(lat[0], lon[0], lat[1], lon[1])) / METRES_PER_NM
     spacing = min(CORRIDOR_SPACING_NM, max(0.25, distance_nm / 60))

@@ -61,7 +61,7 @@ class SteadyPlanner:
 
     @property
     def roughs(self) -> list[bool]:
-        return [not request.options.refine for request in self.requests]
+        return [not request.options.corridor for request in self.requests]
 
 
 @pytest.fixture
