@@ -21,7 +21,9 @@ RADII_NM: Final = (1, 2, 5, 10, 20)
 def open_menu(view: ChartView, lat: float, lon: float, at: QPoint) -> QMenu:
     """Open the menu of a position [degrees] at a point of the screen."""
     menu = QMenu(view)
-    menu.addSection(format_position(lat, lon))
+    # A heading of its own: what a section is called is not drawn where there is a style sheet.
+    menu.addAction(format_position(lat, lon)).setEnabled(False)
+    menu.addSeparator()
     for text, which in (
         (_tr("Sail &from here"), "from"),
         (_tr("Sail &to here"), "to"),
