@@ -14,6 +14,9 @@ from seacruise.geodesy import destination
 from seacruise.sea.zones import Zone
 from seacruise.units import METRES_PER_NM
 
+STEPS: Final = 200
+"""Steps that can be taken back; older ones are forgotten."""
+
 _CORNERS: Final = 48
 
 
@@ -35,6 +38,7 @@ class Avoided(QObject):
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.stack = QUndoStack(self)
+        self.stack.setUndoLimit(STEPS)
         self._zones: tuple[Zone, ...] = ()
 
     @property
