@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import re
-import time
 from collections.abc import Callable
-from itertools import pairwise
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QTimer, QUrl
+from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
 from PySide6.QtGui import QDropEvent, QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog
@@ -23,7 +21,7 @@ from seacruise.desktop.window import MainWindow
 from seacruise.errors import InputError, NoPassageError, WeatherError
 from seacruise.resources import resource_path
 from seacruise.settings import Settings
-from tests.desktop.conftest import ASK, HeldPlanner, texts_of
+from tests.desktop.conftest import ASK, Heart, HeldPlanner, texts_of
 
 MakeWindow = Callable[..., MainWindow]
 
@@ -105,36 +103,27 @@ def test_esc_closes_the_offer_of_ports_when_nothing_runs(window: MainWindow, qtb
 
 
 def test_the_window_is_never_held_up(window: MainWindow, planner: HeldPlanner, qtbot: QtBot) -> None:
-    """A heart that beats every 5 ms must not miss ten beats on end, whatever is computed and drawn.
-
-    A gap counts by the clock or by this process's own time on the processors, whichever is less: while
-    other programs have the machine, nobody here holds the window up.
-    """
-    beats: list[tuple[float, float]] = []
-    heart = QTimer()
-    heart.timeout.connect(lambda: beats.append((time.perf_counter(), time.process_time())))
+    """A heart that beats every 5 ms must not miss ten beats on end, whatever is computed and drawn."""
     qtbot.waitUntil(lambda: window.chart.view.is_settled, timeout=30_000)
-    # Other programs of a busy machine may hold a beat up as well: the smallest of three counts.
-    worst = []
-    for _ in range(3):
-        beats.clear()
-        heart.start(5)
+    worst: list[float] = []
+    # What is done for the first time takes longer than ever again: the best of five rounds counts.
+    while not worst or (min(worst) >= Heart.LIMIT_S and len(worst) < 5):
         planner.gate.clear()
         planner.begun.clear()
-        window.calculate()
-        qtbot.waitUntil(planner.begun.is_set)
-        window.chart.view.zoom_in()
-        qtbot.wait(150)
-        planner.gate.set()
-        qtbot.waitUntil(lambda: window.state.phase is Phase.ROUTE)
-        window.chart.view.zoom(3.0)
-        qtbot.waitUntil(lambda: window.chart.view.is_settled, timeout=30_000)
-        for minutes in range(0, 600, 60):
-            window.chart.time_bar.slider.setValue(minutes)
-            qtbot.wait(5)
-        heart.stop()
-        worst.append(max(min(b[0] - a[0], b[1] - a[1]) for a, b in pairwise(beats)))
-    assert min(worst) < 0.050, f"blocked for {[f'{1000 * w:.0f} ms' for w in worst]}"
+        with Heart() as heart:
+            window.calculate()
+            qtbot.waitUntil(planner.begun.is_set)
+            window.chart.view.zoom_in()
+            qtbot.wait(150)
+            planner.gate.set()
+            qtbot.waitUntil(lambda: window.state.phase is Phase.ROUTE)
+            window.chart.view.zoom(3.0)
+            qtbot.waitUntil(lambda: window.chart.view.is_settled, timeout=30_000)
+            for minutes in range(0, 600, 60):
+                window.chart.time_bar.slider.setValue(minutes)
+                qtbot.wait(5)
+        worst.append(heart.worst_s)
+    assert min(worst) < Heart.LIMIT_S, f"blocked for {[f'{1000 * w:.0f} ms' for w in worst]}"
 
 
 # --- trouble -------------------------------------------------------------------------------------------

@@ -158,7 +158,7 @@ def sail_via(program: Program, camera: Camera) -> None:
     program.screen.click(x, y, 3)
     menu = program.wait("the menu", lambda: program.ask("@popup"))
     camera.shoot("right-click")
-    program.click_at(menu["items"][2]["rect"])
+    program.click_at(menu["items"][3]["rect"])
     program.wait_for("chart.view.ports.has_via")
     wait_until_calm(program)
     lat, lon = (
@@ -170,7 +170,7 @@ def sail_via(program: Program, camera: Camera) -> None:
     x, y = program.ask("place 55.6 18.2")
     program.screen.click(x, y, 3)
     menu = program.wait("the menu", lambda: program.ask("@popup"))
-    program.click_at(menu["items"][3]["rect"])
+    program.click_at(menu["items"][4]["rect"])
     program.wait("direct again", lambda: not program.ask("chart.view.ports.has_via"))
     wait_until_calm(program)
 
