@@ -3,6 +3,7 @@
 Prints one JSON object. Mouse events are sent to the window sixty times a second, as a hand sends them, and
 passages are really planned. What is timed is the way of one move: from its event until the chart with the
 passage that answers it has been painted. Moves that were overtaken before they were begun have no passage.
+Afterwards some of the same questions are searched precisely, to tell how far off they were.
 """
 
 from __future__ import annotations
@@ -20,15 +21,23 @@ from PySide6.QtWidgets import QApplication, QStyle, QStyleOptionSlider
 
 from benchmarks.frames import open_chart, wait
 from benchmarks.measure import Figures
+from benchmarks.world import home
 from seacruise.desktop.app import SWITCH_S
 from seacruise.desktop.chart.plane import point
-from seacruise.desktop.compute import Answer, Question
+from seacruise.desktop.compute import Answer, Question, replan
 from seacruise.desktop.style import apply_style
 from seacruise.desktop.window import MainWindow
+from seacruise.errors import NoPassageError
 from seacruise.ports import Port
+from seacruise.progress import Job
+from seacruise.settings import Settings
 
 EVERY_MS: Final = 16
 PASSAGES: Final = (("Visby", "Ronne"), ("Karlskrona", "Swinoujscie"), ("Gdynia", "Stockholm"))
+COMPARED: Final = 16
+"""Passages of a drag that are searched precisely afterwards."""
+
+THOUSANDTH: Final = 1e-3
 LEFT: Final = Qt.MouseButton.LeftButton
 
 
@@ -39,7 +48,7 @@ class Watch:
         self._window, self._router = window, window.steering.router
         self._moved = 0.0
         self._asked: dict[int, tuple[float, Question]] = {}
-        self.shown: list[tuple[float, float, bool]] = []
+        self.shown: list[tuple[float, Answer]] = []
         ask = self._router.ask
 
         def watched(question: Question, known: Answer) -> None:
@@ -53,7 +62,7 @@ class Watch:
     def _painted(self, answer: Answer) -> None:
         self._window.chart.view.viewport().repaint()
         moved, _ = self._asked.get(id(answer.question), (self._moved, None))
-        self.shown.append((time.perf_counter() - moved, time.thread_time(), not answer.rough))
+        self.shown.append((time.perf_counter() - moved, answer))
 
     def move(self, by: Callable[[int], None], moves: int) -> Figures:
         """Make some moves and tell what came of them while the hand moved."""
@@ -68,15 +77,35 @@ class Watch:
         moving = list(self.shown)
         if not moving:
             return {"moves": moves, "passages_shown": 0}
-        waited = sorted(seconds for seconds, _, _ in moving)
+        waited = sorted(seconds for seconds, _ in moving)
+        rest(self._window)
         return {
             "median_ms": round(1e3 * statistics.median(waited), 1),
             "worst_ms": round(1e3 * waited[-1], 1),
-            "precise_share": round(sum(precise for _, _, precise in moving) / len(moving), 2),
+            **_off([answer for _, answer in moving]),
             "passages_per_s": round(len(moving) / took, 1),
             "own_share": round(own / took, 2),
             "moves": moves,
         }
+
+
+def _off(shown: list[Answer]) -> Figures:
+    """Tell by how much the times shown while the hand moved miss those of a precise search."""
+    settings = Settings.from_environment({"SEACRUISE_HOME": home()})
+    off = []
+    for answer in shown[:: max(1, len(shown) // COMPARED)]:
+        try:
+            precise = replan(answer.question, answer, settings=settings, job=Job())
+        except NoPassageError:
+            continue
+        off.append(abs(answer.passage.duration_h / precise.passage.duration_h - 1.0))
+    if not off:
+        return {}
+    return {
+        "off_median_percent": round(100 * statistics.median(off), 3),
+        "off_worst_percent": round(100 * max(off), 3),
+        "within_a_thousandth_share": round(sum(one <= THOUSANDTH for one in off) / len(off), 2),
+    }
 
 
 def rest(window: MainWindow) -> None:

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from seacruise.errors import NoPassageError
-from seacruise.geodesy import angle_between_deg, great_circle_m
+from seacruise.geodesy import angle_between_deg, from_mercator, great_circle_m
 from seacruise.model import (
     Checks,
     Passage,
@@ -84,7 +84,8 @@ class Answer:
         sailed, (start, end) = self.sailed, self.ends
         legs = true_length_nm(self.course.x, self.course.y)
         tacks, gybes = sailed.tacks_and_gybes()
-        bound_h = self._lower_bound_s() / SECONDS_PER_HOUR
+        # While a hand drags nobody reads it.
+        bound_h = 0.0 if self.asked.near is not None else self._lower_bound_s() / SECONDS_PER_HOUR
         ledger.lap("check")
         return Passage(
             start=start,
@@ -122,7 +123,8 @@ class Answer:
             manoeuvre_h=sailed.pause_s / SECONDS_PER_HOUR,
             beyond=self.request.options.beyond,
             notices=self._notices(legs),
-            lattice_edges=self.found.lattice.edges_in_degrees(),
+            lattice_edges=self.found.lattice.edges_in_degrees,
+            line=np.stack(from_mercator(self.found.line.x, self.found.line.y), axis=1),
         )
 
     def _lower_bound_s(self) -> float:

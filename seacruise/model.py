@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from datetime import datetime
 from typing import TYPE_CHECKING, Literal
@@ -79,6 +80,8 @@ class Options:
     beyond
         After the end of the forecast ``"hold"`` the last wind (R1), ``"fade"`` it to the usual, or
         ``"refuse"`` to sail on; see `seacruise.weather.beyond`.
+    currents
+        Reckon with the current, where there is one.
     """
 
     preset: Preset = "precise"
@@ -108,6 +111,7 @@ class Options:
     safety_radius_nm: float | None = None
     safety_levels: int = 0
     beyond: Beyond = "hold"
+    currents: bool = True
 
     @property
     def turning_costs(self) -> bool:
@@ -173,6 +177,9 @@ class PassageRequest:
         Areas to keep out of, see `seacruise.sea.zones`.
     current
         How the water moves; ``None`` for the current that came with the wind, if there is one.
+    near
+        A passage that answered nearly the same question. Where ``options.corridor`` is left out, its line is
+        pulled straight in this one's wind, in place of a search in the corridor.
     """
 
     start: Port
@@ -183,6 +190,12 @@ class PassageRequest:
     options: Options = field(default_factory=Options)
     zones: Zones = NO_ZONES
     current: Current | None = None
+    near: Passage | None = None
+
+    @property
+    def stream(self) -> Current | None:
+        """The current that is reckoned with."""
+        return (self.current or self.wind.current) if self.options.currents else None
 
 
 @dataclass(frozen=True, slots=True)
@@ -300,8 +313,9 @@ class Passage:
 
     Times are UTC. ``notices`` are sentences a sailor must read with it (snapped ports, held wind,
     practice weather); ``manoeuvre_h`` is the part of the duration that turning took; ``beyond`` is what was
-    made of the wind after the forecast, where ``beyond_forecast_h`` were sailed; ``lattice_edges``
-    are the edges searched first, ``(n, 4)`` as lat1, lon1, lat2, lon2, for drawing.
+    made of the wind after the forecast, where ``beyond_forecast_h`` were sailed; ``lower_bound_h`` is 0 where
+    none was reckoned; ``lattice_edges`` gives the edges searched first, ``(n, 4)`` as lat1, lon1, lat2, lon2,
+    for drawing; ``line`` holds the positions ``(m, 2)`` [degrees] between which boards were laid out.
     """
 
     start: Place
@@ -327,7 +341,8 @@ class Passage:
     notices: tuple[str, ...] = ()
     manoeuvre_h: float = 0.0
     beyond: Beyond = "hold"
-    lattice_edges: NDArray[np.float32] | None = field(default=None, repr=False, compare=False)
+    lattice_edges: Callable[[], NDArray[np.float32]] | None = field(default=None, repr=False, compare=False)
+    line: NDArray[np.float64] | None = field(default=None, repr=False, compare=False)
 
     @property
     def duration_h(self) -> float:

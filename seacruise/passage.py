@@ -11,11 +11,12 @@ from datetime import UTC, datetime, timedelta
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 from seacruise.answer import Answer
 from seacruise.between import sea_between
 from seacruise.errors import InputError, NoPassageError
-from seacruise.geodesy import format_position, great_circle_m
+from seacruise.geodesy import format_position, great_circle_m, to_mercator
 from seacruise.model import (
     SCHEMA,
     Checks,
@@ -145,9 +146,21 @@ def question_of(
         end,
         departure.timestamp(),
         request.zones,
-        request.current or request.wind.current,
+        request.stream,
         request.options.shore_clearance_nm,
+        _near(request),
     )
+
+
+def _near(request: PassageRequest) -> NDArray[np.float64] | None:
+    """Give the line to follow, points ``(m, 2)`` of the plane [m], where one is to be followed."""
+    options, near = request.options, request.near
+    if options.corridor or not options.refine or near is None or near.line is None:
+        return None
+    if options.tack_penalty_min or options.gybe_penalty_min or options.turn_penalty:
+        # Boards that were searched with what they cost are no line of the hull.
+        return None
+    return np.stack(to_mercator(near.line[:, 0], near.line[:, 1]), axis=1)
 
 
 def _leaving_in_time(
@@ -402,24 +415,25 @@ def sail_again(
         Whether tacks and gybes are in the line already.
     """
     from seacruise.routing.manoeuvres import merge_straight, relax_boards, sail_boards, straight_legs
-    from seacruise.routing.resail import resail
+    from seacruise.routing.resail import is_land_free, resail
 
     handling = asked.how.handling
     if boards_found or not handling.tacking:
         course = merge_straight(straight_legs(line), asked.sea, asked.zones)
     else:
         course = sail_boards(asked, line)
-    sailed = resail(asked, course, fuel_rate_l_h=fuel_rate_l_h)
+    # Holding a course against the coast takes longer than sailing it: only the one that is shown.
+    sailed = resail(asked, course, fuel_rate_l_h=fuel_rate_l_h, look=False)
     if handling.tacking and asked.how.refine and not boards_found and sailed.turns:
         waters = the_finder().as_she_sails(asked)
-        moved = relax_boards(waters, course, asked.departure)
-        again = resail(asked, moved, fuel_rate_l_h=fuel_rate_l_h)
-        if again.arrived and again.land_free and again.time[-1] < sailed.time[-1]:
-            course, sailed = moved, again
+        moved = relax_boards(waters, course, asked.departure, quickly=asked.near is not None)
+        again = resail(asked, moved, fuel_rate_l_h=fuel_rate_l_h, look=False)
+        if again.arrived and again.time[-1] < sailed.time[-1] and is_land_free(moved, asked.sea):
+            course, sailed = moved, replace(again, land_free=True)
     if not sailed.arrived:
         tacked = replace(asked, how=replace(asked.how, handling=replace(handling, tacking=True)))
         course = replace(course, short_tacked=np.ones_like(course.short_tacked))
-        sailed = resail(tacked, course, fuel_rate_l_h=fuel_rate_l_h)
+        sailed = resail(tacked, course, fuel_rate_l_h=fuel_rate_l_h, look=False)
         course = replace(course, short_tacked=sailed.mixed(asked.polar))
     if not sailed.arrived:
         raise NoPassageError(
@@ -428,4 +442,4 @@ def sail_again(
             reason="becalmed",
             place=(float(sailed.lat[-1]), float(sailed.lon[-1])),
         )
-    return course, sailed
+    return course, sailed if sailed.land_free else replace(sailed, land_free=is_land_free(course, asked.sea))

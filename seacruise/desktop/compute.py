@@ -66,7 +66,9 @@ class Answer:
     layers
         Zones of the sailor's layers at that time.
     rough
-        Found coarsely, while something is dragged; a precise one follows.
+        Found by following an earlier one, while something is dragged; a precise one comes after it.
+    parts
+        The passages of which ``passage`` is joined where it leads by way of a place.
     """
 
     passage: Passage
@@ -74,6 +76,7 @@ class Answer:
     question: Question
     layers: Zones = NO_ZONES
     rough: bool = False
+    parts: tuple[Passage, ...] = ()
 
     @property
     def zones(self) -> Zones:
@@ -109,6 +112,8 @@ def fetch_wind(question: Question, settings: Settings, job: Job) -> Wind:
 
 def plan_passage(request: PassageRequest, *, settings: Settings, job: Job) -> Passage:
     """`seacruise.passage.plan`, imported when first needed: it brings the compiler with it."""
+    # What the window shows a passage with: here nobody waits for it.
+    import seacruise.narrative  # noqa: F401
     from seacruise.passage import plan
 
     return plan(request, settings=settings, job=job)
@@ -153,7 +158,8 @@ def replan(
     Parameters
     ----------
     rough
-        Leave the search in the corridor out, see `seacruise.passage.Options`.
+        Leave the search in the corridor out and follow the line of the known answer instead, see
+        `seacruise.passage.PassageRequest`.
 
     Raises
     ------
@@ -162,7 +168,8 @@ def replan(
     """
     refuse_same_port(question.start, question.end)
     asked = replace(question, options=replace(question.options, corridor=False)) if rough else question
-    answer = _answer(asked, known.wind, known.layers, planner=planner, settings=settings, job=job)
+    near = (known.parts or (known.passage,)) if rough else ()
+    answer = _answer(asked, known.wind, known.layers, near, planner=planner, settings=settings, job=job)
     return replace(answer, question=question, rough=rough)
 
 
@@ -170,6 +177,7 @@ def _answer(
     question: Question,
     wind: Wind,
     layers: Zones,
+    near: tuple[Passage, ...] = (),
     *,
     planner: Planner,
     settings: Settings,
@@ -192,6 +200,10 @@ def _answer(
         job.check()
         return found
 
+    parts = 1 if question.via is None else 2
+    # A passage that led elsewhere is no good beginning.
+    lines = near if len(near) == parts else (None,) * parts
+    request = replace(request, near=lines[0])
     if question.via is None:
         return Answer(sail(request), wind, question, layers)
     refuse_same_port(question.start, question.via)
@@ -199,6 +211,7 @@ def _answer(
     first = sail(replace(request, end=question.via))
     # She goes on from where she arrived: the way in and the way out begin at the same water.
     place = replace(question.via, lat=first.end.lat, lon=first.end.lon)
-    second = sail(replace(request, start=place, departure=first.arrival))
+    second = sail(replace(request, start=place, departure=first.arrival, near=lines[1]))
     away = float(great_circle_m(first.start.lat, first.start.lon, second.end.lat, second.end.lon))
-    return Answer(join(first, second, direct_distance_nm=away / METRES_PER_NM), wind, question, layers)
+    joined = join(first, second, direct_distance_nm=away / METRES_PER_NM)
+    return Answer(joined, wind, question, layers, parts=(first, second))

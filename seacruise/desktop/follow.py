@@ -12,8 +12,8 @@ from typing import Final, Generic, TypeVar
 
 Wish = TypeVar("Wish")
 
-QUICK_S: Final = 0.050
-"""A precise re-routing that took longer than this [s] is done coarsely first."""
+QUICK_S: Final = 0.030
+"""A precise re-routing that took longer than this [s] is done coarsely first: painting takes time as well."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -17,7 +17,7 @@ def join(first: Passage, second: Passage, *, direct_distance_nm: float) -> Passa
     The place between stays a waypoint. No lower bound is told: the second search left when the first
     arrived, and says nothing about leaving earlier.
     """
-    lattices = [p.lattice_edges for p in (first, second) if p.lattice_edges is not None]
+    edges = [p.lattice_edges for p in (first, second) if p.lattice_edges is not None]
     notices = dict.fromkeys((*first.notices, *second.notices))
     return replace(
         first,
@@ -39,7 +39,7 @@ def join(first: Passage, second: Passage, *, direct_distance_nm: float) -> Passa
         search=_sum(first.search, second.search),
         track=_chain(first.track, second.track, legs=len(first.waypoints) - 1),
         notices=tuple(notices),
-        lattice_edges=np.concatenate(lattices) if lattices else None,
+        lattice_edges=(lambda: np.concatenate([of() for of in edges])) if edges else None,
     )
 
 

@@ -11,6 +11,7 @@ the way.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from functools import lru_cache
 from typing import Final
 
@@ -18,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from seacruise.geodesy import great_circle_m
-from seacruise.routing.field import PER_TWS, SpeedTable
+from seacruise.routing.field import PER_TWS, SpeedTable, WindField
 from seacruise.weather.wind import Wind
 
 Array = NDArray[np.float64]
@@ -84,6 +85,41 @@ def lower_bound_s(
         left -= best * SAFETY * step
         t += step
     return min(t, found_s)
+
+
+def farthest_m(
+    wind: WindField,
+    speeds: SpeedTable,
+    ends: Sequence[tuple[float, float]],
+    *,
+    departure: float,
+    seconds: float,
+) -> float:
+    """Distance [m] that she cannot exceed in a time, as the sum of her distances from all ends.
+
+    In each slice of time the fastest she can be is her best speed in the strongest wind then blowing
+    anywhere near. Two ends make an ellipse of what is near; one makes a circle, of that radius.
+    """
+    u, v, begin, step, south, per_lat, west, per_lon = wind.arrays[:8]
+    lat = south + np.arange(u.shape[1]) / per_lat if per_lat else np.full(u.shape[1], south)
+    lon = west + np.arange(u.shape[2]) / per_lon if per_lon else np.full(u.shape[2], west)
+    lat, lon = np.meshgrid(lat, lon, indexing="ij")
+    around = np.sum([great_circle_m(lat, lon, *end) for end in ends], axis=0)
+    cell = (1.0 / per_lat if per_lat else 0.0) * 111_200.0
+    first = min(int((departure - begin) / step), u.shape[0] - 1)
+    last = min(int((departure + seconds - begin) / step), u.shape[0] - 1)
+    tws = np.hypot(u[first : last + 1], v[first : last + 1])
+    changes = begin + np.arange(first + 1, last + 1) * step
+    lasting = np.diff([departure, *np.clip(changes, departure, departure + seconds), departure + seconds])
+    reach = wind.fastest(speeds) * seconds
+    # Winds that are too far away to be met count for nothing, which makes the reach smaller: once more.
+    for _ in range(3):
+        inside = around <= reach + 2 * cell
+        if not inside.any():
+            # A grid so coarse that it has no node near: any of its winds may blow here.
+            inside[:] = True
+        reach = float(wind.fastest_each(speeds, tws[:, inside].max(axis=1)) @ lasting)
+    return reach
 
 
 def _refined(axis: Array) -> Array:

@@ -45,6 +45,8 @@ class WindField:
         Greatest and mean wind speed in the field [m/s].
     drift
         Strongest current [m/s].
+    slices
+        ``(3, t)`` strongest wind, mean wind and strongest current of each slice [m/s].
     """
 
     arrays: tuple[Any, ...]
@@ -52,6 +54,24 @@ class WindField:
     strongest: float
     mean: float
     drift: float = 0.0
+    slices: NDArray[np.float64] | None = None
+
+    def later(self, since: float) -> WindField:
+        """Give the part from the slice on in which a time lies [s since 1970]; nothing is copied."""
+        u, v, begin, step, *rest = self.arrays
+        past = int(np.clip((since - begin) // step, 0, len(u) - 1))
+        if past == 0 or self.slices is None:
+            return self
+
+        def cut(part: Any) -> Any:
+            if isinstance(part, tuple):
+                return tuple(cut(one) for one in part)
+            return part[past:] if isinstance(part, np.ndarray) and len(part) == len(u) else part
+
+        slices = self.slices[:, past:]
+        strongest, mean, drift = float(slices[0].max()), float(slices[1].mean()), float(slices[2].max())
+        arrays = (cut(u), cut(v), begin + past * step, step, *map(cut, rest))
+        return WindField(arrays, self.horizon, strongest, mean, drift, slices)
 
     def fastest(self, speeds: SpeedTable, strongest: float | None = None) -> float:
         """Greatest speed over ground [m/s] in winds up to ``strongest`` [m/s], by default the field's."""
@@ -149,17 +169,18 @@ def wind_field(
     middles = np.append(np.minimum(begin + (np.arange(count) + 0.5) * step, end), end)
     u, v = (_at_times(wind, component, middles) for component in (wind.u, wind.v))
     stream: tuple[Any, ...] = STILL_WATER
-    drift = 0.0
+    drift = np.zeros(middles.size)
     if current is not None:
         cu, cv = (_at_times(current, component, middles) for component in (current.u, current.v))
-        stream, drift = (cu, cv, *_frame(current)), float(np.hypot(cu, cv).max())
+        stream, drift = (cu, cv, *_frame(current)), np.hypot(cu, cv).max(axis=(1, 2))
     tws = np.hypot(u, v)
+    slices = np.array([tws.max(axis=(1, 2)), tws.mean(axis=(1, 2)), drift], dtype=np.float64)
     danger = _danger(wind, limits, middles)
     arrays: tuple[Any, ...] = (u, v, begin, step, *_frame(wind))
     slowed = _slowed(wind, knobs, middles)
     if current is not None or danger is not NO_DANGER or knobs.turned:
         arrays = (*arrays, stream, danger, slowed)
-    return WindField(arrays, horizon, float(tws.max()), float(tws.mean()), drift)
+    return WindField(arrays, horizon, float(tws.max()), float(slices[1].mean()), float(drift.max()), slices)
 
 
 def _slice_of(since: float, begin: float, slice_s: float) -> float:
@@ -167,8 +188,8 @@ def _slice_of(since: float, begin: float, slice_s: float) -> float:
     return float(np.floor((since - begin) / slice_s) * slice_s + begin)
 
 
-_KEPT_BYTES: Final = 16 * 2**20
-_KEPT: Final = 6
+_KEPT_BYTES: Final = 32 * 2**20
+_KEPT: Final = 4
 
 
 @lru_cache(maxsize=_KEPT)
@@ -185,15 +206,16 @@ def kept_field(
     limits: SeaLimits,
     knobs: Knobs,
 ) -> WindField:
-    """Give a `wind_field` made before: departures of the same slice of time share it.
+    """Give the part of a `wind_field` made before: all departures share it.
 
     Large ones are made anew: a few of them would fill the memory of a small computer.
     """
-    begin = float(wind.time[0])
-    since = max(begin, _slice_of(since, begin, slice_s))
-    slices = max(0.0, float(wind.time[-1]) - since) / slice_s + 1.0
-    make = _made if slices * wind.u[0].size * 8 <= _KEPT_BYTES else wind_field
-    return make(wind, current=current, slice_s=slice_s, since=since, limits=limits, knobs=knobs)
+    ends = [float(flow.time[-1]) for flow in (wind, current) if flow is not None]
+    slices = (max(ends) - float(wind.time[0])) / slice_s + 1.0
+    nodes = wind.u[0].size + (current.u[0].size if current is not None else 0)
+    if slices * nodes * 8 > _KEPT_BYTES:
+        return wind_field(wind, slice_s=slice_s, since=since, current=current, limits=limits, knobs=knobs)
+    return _made(wind, current, slice_s=slice_s, limits=limits, knobs=knobs).later(since)
 
 
 def _frame(flow: Flow) -> tuple[float, float, float, float]:

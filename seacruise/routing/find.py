@@ -9,18 +9,18 @@ from __future__ import annotations
 import math
 import time
 from collections import OrderedDict
-from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field, replace
-from functools import partial
+from functools import lru_cache, partial
 from typing import Final, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
-from seacruise.errors import NoPassageError
 from seacruise.geodesy import great_circle_m, scale, to_mercator
 from seacruise.progress import Job
 from seacruise.routing import classic, stencil
+from seacruise.routing.bound import farthest_m
 from seacruise.routing.field import (
     COARSE_SLICE_S,
     FINE_SLICE_S,
@@ -32,14 +32,15 @@ from seacruise.routing.field import (
     speed_table,
 )
 from seacruise.routing.lattice import Area, Lattice, Levels
-from seacruise.routing.levels import LatticeCache, Position, levels_around
+from seacruise.routing.levels import LatticeCache, Position, Recipe, levels_around
 from seacruise.routing.manoeuvres import USUAL, Boards
 from seacruise.routing.refine import PIECE_M as REFINED_PIECE_M
-from seacruise.routing.refine import Line, Waters, refine, timed
+from seacruise.routing.refine import Line, Waters, followed, refine, timed
+from seacruise.routing.refusal import why_not
 from seacruise.routing.search import PIECE_M, connected, search
 from seacruise.sea import Sea
 from seacruise.sea.zones import NO_ZONES, Zones
-from seacruise.units import METRES_PER_NM, MS_PER_KNOT
+from seacruise.units import METRES_PER_NM
 from seacruise.weather.wind import Current, Wind
 from seacruise.yacht.polar import Polar
 
@@ -120,6 +121,8 @@ class Question:
         Seconds since 1970.
     clearance_nm
         What ``sea`` keeps off the shores already [nm]: told when that leaves no way.
+    near
+        Points ``(m, 2)`` of the plane [m] of a line that answered nearly the same question, to be followed.
     """
 
     sea: Sea
@@ -132,6 +135,7 @@ class Question:
     zones: Zones = NO_ZONES
     current: Current | None = None
     clearance_nm: float | None = None
+    near: Array | None = None
 
     def winds(self, slice_s: float) -> WindField:
         """Cut wind, current and limits into slices of time, from the departure on."""
@@ -201,12 +205,16 @@ class Finder:
         coarse, fine = asked.winds(COARSE_SLICE_S), asked.winds(FINE_SLICE_S)
         waters = Waters(asked.sea, fine, speeds, asked.zones)
         ledger.lap("wind")
+        known: Line | None = None
         if asked.how.preset == "classic":
             line, grid = _classic(asked, job, ledger)
         else:
+            # At the same time as the search: the kernels of both let go of the interpreter.
+            following = None if asked.near is None else _follower().submit(_followed, asked, waters)
             line, grid = self._precise(asked, waters, coarse, job, ledger)
+            known = None if following is None else following.result()
         if line is None:
-            raise _why_not(asked, grid)
+            raise why_not(asked, grid)
         job.check()
         turned = None
         if any(handling.pauses) and asked.how.preset == "precise":
@@ -216,7 +224,7 @@ class Finder:
         waters, line = turned or (waters, line)
         if asked.how.refine:
             job.report("refine", None, "Refining the passage")
-            line, settled = refine(waters, line, job, corridor=asked.how.corridor)
+            line, settled = refine(waters, line, job, corridor=asked.how.corridor, known=known)
             ledger.settled += settled
         ledger.lap("refine")
         ledger.vertices, ledger.edges = grid.vertices, int(grid.target.size)
@@ -263,8 +271,12 @@ class Finder:
             zones=asked.zones,
         )
         detail = 0
+        # While a hand drags, one that was made for other ends, or for less wind, will do.
+        moved = asked.near is not None and self.cache.moved(
+            _recipe(asked, _area(asked, reach), detail, ledger), asked.sea, (asked.start, asked.end)
+        )
         while True:
-            grid = self._lattice(asked, reach, detail, job, ledger)
+            grid = moved or self._lattice(asked, reach, detail, job, ledger)
             job.check()
             job.report("search", None, f"Searching {grid.vertices:,} vertices")
             found = look(grid)
@@ -273,10 +285,14 @@ class Finder:
             path = found.path(grid.end)
             if path.size:
                 line = timed(waters, grid.x[path], grid.y[path], asked.departure)
+                if moved:
+                    return line, grid
                 needed = _reach_needed(asked, waters, line.seconds)
                 if asked.how.area == "rectangle" or needed <= reach:
                     return line, grid
                 reach = needed
+            elif moved:
+                moved = None
             elif detail < MOST_DETAIL and not connected(grid):
                 detail += 1
             elif asked.how.area == "rectangle" or reach >= direct * _LAST_REACH:
@@ -287,17 +303,9 @@ class Finder:
     def _lattice(self, asked: Question, reach: float, detail: int, job: Job, ledger: Ledger) -> Lattice:
         """Build or recall the lattice of an area."""
         job.report("lattice", None, "Building the lattice")
-        how, spacing = asked.how, ledger.spacing_nm
-        # Lattices are finer around hazards, so their identity belongs to the key.
-        hazards = id(asked.zones) if how.safety.levels and asked.zones else None
-        if asked.how.area == "rectangle":
-            area = Area("rectangle", asked.ends, classic.HALF_WIDTH_DEG * 60 * asked.plane_per_nm)
-        else:
-            # In steps, so that another departure or yacht finds the lattice of the last one.
-            step = _REACH_STEP * asked.direct_m
-            area = Area("ellipse", asked.ends, math.ceil(reach / step) * step)
+        how, spacing, area = asked.how, ledger.spacing_nm, _area(asked, reach)
         grid = self.cache.get(
-            (spacing, ledger.directions, area.kind, area.reach_m, detail, how.mesh, how.safety, hazards),
+            _recipe(asked, area, detail, ledger),
             asked.sea,
             (asked.start, asked.end),
             lambda: {
@@ -310,6 +318,34 @@ class Finder:
         )
         ledger.lap("lattice")
         return grid
+
+
+def _area(asked: Question, reach: float) -> Area:
+    if asked.how.area == "rectangle":
+        return Area("rectangle", asked.ends, classic.HALF_WIDTH_DEG * 60 * asked.plane_per_nm)
+    # In steps, so that another departure or yacht finds the lattice of the last one.
+    step = _REACH_STEP * asked.direct_m
+    return Area("ellipse", asked.ends, math.ceil(reach / step) * step)
+
+
+def _recipe(asked: Question, area: Area, detail: int, ledger: Ledger) -> Recipe:
+    how = asked.how
+    # Lattices are finer around hazards, so their identity belongs to the key.
+    hazards = id(asked.zones) if how.safety.levels and asked.zones else None
+    return Recipe(
+        *(ledger.spacing_nm, ledger.directions, area.kind, area.reach_m, detail, how.mesh, how.safety),
+        hazards,
+    )
+
+
+@lru_cache(maxsize=1)
+def _follower() -> ThreadPoolExecutor:
+    return ThreadPoolExecutor(2, thread_name_prefix="follow")
+
+
+def _followed(asked: Question, waters: Waters) -> Line | None:
+    assert asked.near is not None
+    return followed(waters, asked.near, asked.ends.reshape(2, 2), asked.departure)
 
 
 def approach_levels(asked: Question, spacing_nm: float, detail: int) -> Levels:
@@ -327,36 +363,6 @@ def _reach_needed(asked: Question, waters: Waters, seconds: float) -> float:
     """Distance [m] that no passage can sail in a time: the ellipse of that size holds all faster ones."""
     ends = (asked.start, asked.end)
     return farthest_m(waters.field, waters.speeds, ends, departure=asked.departure, seconds=seconds)
-
-
-def farthest_m(
-    wind: WindField, speeds: SpeedTable, ends: Sequence[Position], *, departure: float, seconds: float
-) -> float:
-    """Distance [m] that she cannot exceed in a time, as the sum of her distances from all ends.
-
-    In each slice of time the fastest she can be is her best speed in the strongest wind then blowing
-    anywhere near. Two ends make an ellipse of what is near; one makes a circle, of that radius.
-    """
-    u, v, begin, step, south, per_lat, west, per_lon = wind.arrays[:8]
-    lat = south + np.arange(u.shape[1]) / per_lat if per_lat else np.full(u.shape[1], south)
-    lon = west + np.arange(u.shape[2]) / per_lon if per_lon else np.full(u.shape[2], west)
-    lat, lon = np.meshgrid(lat, lon, indexing="ij")
-    around = np.sum([great_circle_m(lat, lon, *end) for end in ends], axis=0)
-    cell = (1.0 / per_lat if per_lat else 0.0) * 111_200.0
-    first = min(int((departure - begin) / step), u.shape[0] - 1)
-    last = min(int((departure + seconds - begin) / step), u.shape[0] - 1)
-    tws = np.hypot(u[first : last + 1], v[first : last + 1])
-    changes = begin + np.arange(first + 1, last + 1) * step
-    lasting = np.diff([departure, *np.clip(changes, departure, departure + seconds), departure + seconds])
-    reach = wind.fastest(speeds) * seconds
-    # Winds that are too far away to be met count for nothing, which makes the reach smaller: once more.
-    for _ in range(3):
-        inside = around <= reach + 2 * cell
-        if not inside.any():
-            # A grid so coarse that it has no node near: any of its winds may blow here.
-            inside[:] = True
-        reach = float(wind.fastest_each(speeds, tws[:, inside].max(axis=1)) @ lasting)
-    return reach
 
 
 def _classic(asked: Question, job: Job, ledger: Ledger) -> tuple[Line | None, Lattice]:
@@ -392,55 +398,3 @@ def _turning(
     ledger.lap("search")
     job.check()
     return (waters, timed(waters, grid.x[path], grid.y[path], departure)) if path.size else None
-
-
-def _why_not(asked: Question, grid: Lattice) -> NoPassageError:
-    """Find out why nothing was found: take the obstacles away one by one."""
-    if not connected(grid) and asked.clearance_nm is not None:
-        return NoPassageError(
-            f"There is no way by water that keeps {asked.clearance_nm:g} nm off every shore; allow less "
-            "clearance (--shore-clearance) or choose other ports.",
-            reason="no-water-path",
-        )
-    if not connected(grid):
-        return NoPassageError(
-            "There is no way by water between the two ports in the area searched; choose other ports, or "
-            "check that both lie on the same sea.",
-            reason="no-water-path",
-        )
-
-    def passable(handling: Handling, zones: Zones) -> bool:
-        field = replace(asked, how=replace(asked.how, handling=handling)).winds(COARSE_SLICE_S)
-        found = search(grid, field, speed_table(asked.polar, handling), asked.departure, zones=zones)
-        return bool(np.isfinite(found.arrival[grid.end]))
-
-    handling = asked.how.handling
-    if asked.zones and passable(handling, NO_ZONES):
-        return NoPassageError(
-            "Every way leads through a zone that is closed to you; take the zone out of the layers, or leave "
-            "when it is open.",
-            reason="closed-zone",
-        )
-    if handling.max_wind is not None and passable(replace(handling, max_wind=None), asked.zones):
-        return NoPassageError(
-            f"Every way leads through more wind than the {handling.max_wind / MS_PER_KNOT:.0f} kn you allow; "
-            "leave at another time or raise the limit.",
-            reason="wind-limit",
-        )
-    if handling.limits != NO_LIMITS and passable(replace(handling, limits=NO_LIMITS), asked.zones):
-        return NoPassageError(
-            "Every way leads through higher waves or stronger gusts than you allow; leave at another time or "
-            "raise the limit.",
-            reason="wind-limit",
-        )
-    if not handling.tacking and passable(replace(handling, tacking=True), asked.zones):
-        return NoPassageError(
-            "Every way leads at some time through the yacht's dead angle, and tacking is not allowed; allow "
-            "it (the precise preset does) or leave at another time.",
-            reason="dead-angle",
-        )
-    return NoPassageError(
-        "The yacht is becalmed: with this wind she never arrives. Leave at another time, choose another "
-        "forecast, or allow the engine (--motor-below).",
-        reason="becalmed",
-    )

@@ -7,6 +7,7 @@ of boards ending on the leg, and no board touching land.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Final
 
@@ -15,7 +16,7 @@ from numpy.typing import NDArray
 
 from seacruise.geodesy import from_mercator, rhumb_distance_m, scale
 from seacruise.routing.field import tacking_may_gain
-from seacruise.routing.refine import Line, Waters, relaxed, timed
+from seacruise.routing.refine import QUICKLY, THOROUGHLY, Line, Waters, relaxed, timed
 from seacruise.sea import Sea
 from seacruise.sea.zones import Zones
 from seacruise.units import METRES_PER_NM
@@ -93,7 +94,7 @@ def sail_boards(asked: Question, line: Line) -> Course:
     return merge_straight(builder.course(), asked.sea, asked.zones)
 
 
-def relax_boards(waters: Waters, course: Course, departure: float) -> Course:
+def relax_boards(waters: Waters, course: Course, departure: float, *, quickly: bool = False) -> Course:
     """Move the corners of boards to where the wind makes them fastest.
 
     Boards are laid out in the wind of their middle; it shifts meanwhile. What lies between two legs that are
@@ -116,7 +117,10 @@ def relax_boards(waters: Waters, course: Course, departure: float) -> Course:
             / _GUESSED
         )
         line = relaxed(
-            waters, timed(waters, course.x[begin : end + 1], course.y[begin : end + 1], t), split=False
+            waters,
+            timed(waters, course.x[begin : end + 1], course.y[begin : end + 1], t),
+            split=False,
+            pull=QUICKLY if quickly else THOROUGHLY,
         )
         x += [course.x[k + 1 : begin + 1], line.x[1:]]
         y += [course.y[k + 1 : begin + 1], line.y[1:]]
@@ -292,13 +296,13 @@ def _zigzag(a: Array, steps: Array, pairs: int, swap: bool) -> tuple[Array, bool
 def merge_straight(course: Course, sea: Sea, zones: Zones) -> Course:
     """Join legs between which the course does not change, where the joined leg touches nothing either."""
     keep = [0]
+    points, short = list(zip(course.x.tolist(), course.y.tolist(), strict=True)), course.short_tacked.tolist()
     for k in range(1, course.x.size - 1):
-        x, y = course.x[[keep[-1], k, k + 1]], course.y[[keep[-1], k, k + 1]]
-        before, after = np.degrees(np.arctan2(np.diff(x), np.diff(y)))
-        turn = abs((after - before + 180.0) % 360.0 - 180.0)
-        alike = course.short_tacked[k] == course.short_tacked[k - 1]
-        if turn <= SAME_COURSE_DEG and alike:
-            joined = np.array([[x[0], y[0], x[2], y[2]]])
+        (ax, ay), (bx, by), (cx, cy) = points[keep[-1]], points[k], points[k + 1]
+        before, after = math.atan2(bx - ax, by - ay), math.atan2(cx - bx, cy - by)
+        turn = abs((math.degrees(after - before) + 180.0) % 360.0 - 180.0)
+        if turn <= SAME_COURSE_DEG and short[k] == short[k - 1]:
+            joined = np.array([[ax, ay, cx, cy]])
             if bool(sea.clear(joined)[0]) and not bool(zones.close(joined, -np.inf, np.inf)[0]):
                 continue
         keep.append(k)

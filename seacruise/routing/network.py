@@ -76,6 +76,12 @@ class Lattice:
         """Number of vertices."""
         return int(self.x.size)
 
+    @property
+    def nbytes(self) -> int:
+        """Memory that its arrays take [bytes]."""
+        arrays = (self.x, self.y, self.lat, self.lon, self.scale, self.first, self.target, self.points)
+        return sum(array.nbytes for array in arrays)
+
     def edges_in_degrees(self) -> NDArray[np.float32]:
         """Edges ``(m, 4)`` as lat, lon, lat, lon [degrees], for drawing."""
         return _edges_in_degrees(self)
@@ -85,7 +91,7 @@ class Lattice:
         return np.repeat(np.arange(self.vertices, dtype=np.int32), np.diff(self.first))
 
 
-@lru_cache(maxsize=4)
+@lru_cache(maxsize=1)
 def _edges_in_degrees(lattice: Lattice) -> NDArray[np.float32]:
     """Put edges together once: every passage on a lattice shows the same ones."""
     place = np.stack([lattice.lat, lattice.lon], axis=1).astype(np.float32)

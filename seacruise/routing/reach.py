@@ -22,8 +22,9 @@ from seacruise.progress import Job
 from seacruise.routing import lattice as lattices
 from seacruise.routing import stencil
 from seacruise.routing.backwards import latest_departures
+from seacruise.routing.bound import farthest_m
 from seacruise.routing.field import SpeedTable, WindField
-from seacruise.routing.find import COURSES, SPACING_NM, farthest_m
+from seacruise.routing.find import COURSES, SPACING_NM
 from seacruise.routing.lattice import Area, Lattice, chord_m
 from seacruise.routing.levels import Position, levels_around
 from seacruise.routing.search import Found, search

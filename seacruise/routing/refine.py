@@ -41,11 +41,38 @@ STRAIGHT: Final = 48.0
 """The middle of the corridor may be straightened by this part of its half-width: each of its lines is looked
 at on every level, and a first search has a short one from island to island."""
 
-STEPS_NM: Final = (4.0, 2.0, 1.0, 0.5, 0.25, 0.1, 0.05)
-LEGS_NM: Final = (16.0, 12.0, 10.0, 10.0, 10.0, 10.0, 10.0)
-"""Trial moves of the waypoints, and the longest legs while they are made [nm]."""
 
-ROUNDS: Final = 10
+@dataclass(frozen=True, slots=True)
+class Pull:
+    """How thoroughly a line is pulled straight.
+
+    Attributes
+    ----------
+    steps_nm, legs_nm
+        Trial moves of the waypoints, and the longest legs while they are made [nm].
+    rounds
+        Most sweeps over the waypoints for each of them.
+    """
+
+    steps_nm: tuple[float, ...]
+    legs_nm: tuple[float, ...]
+    rounds: int
+
+
+THOROUGHLY: Final = Pull(
+    (4.0, 2.0, 1.0, 0.5, 0.25, 0.1, 0.05), (16.0, 12.0, 10.0, 10.0, 10.0, 10.0, 10.0), rounds=10
+)
+QUICKLY: Final = Pull((2.0, 0.5, 0.2, 0.05), (10.0, 10.0, 10.0, 10.0), rounds=4)
+"""For a line that was pulled straight in nearly the same wind."""
+
+FEW: Final = 40
+"""A first line of so few waypoints is relaxed so fast that it always is."""
+
+SKERRY_M: Final = 1.5 * METRES_PER_NM
+"""Islands that are narrower than this do not make two ways of one [m]."""
+
+ASIDE_M: Final = 12 * METRES_PER_NM
+"""Two lines that are farther apart than this somewhere are not the same way, islands or not [m]."""
 
 SIMPLIFY: Final = 0.00025
 """Share of the duration that may be given for fewer waypoints: steering 50 courses helps nobody."""
@@ -127,7 +154,7 @@ def timed(waters: Waters, x: Array, y: Array, departure: float) -> Line:
     return Line(x, y, times)
 
 
-def relaxed(waters: Waters, line: Line, *, split: bool = True) -> Line:
+def relaxed(waters: Waters, line: Line, *, split: bool = True, pull: Pull = THOROUGHLY) -> Line:
     """Pull a line straight in time; never slower than before.
 
     With ``split`` long legs get new waypoints, so that they can bend; else the line keeps its own.
@@ -139,9 +166,9 @@ def relaxed(waters: Waters, line: Line, *, split: bool = True) -> Line:
         line.x,
         line.y,
         float(line.times[0]),
-        np.array(STEPS_NM) * per_nm,
-        ROUNDS,
-        np.array(LEGS_NM) * per_nm if split else np.full(len(STEPS_NM), np.inf),
+        np.array(pull.steps_nm) * per_nm,
+        pull.rounds,
+        np.array(pull.legs_nm) * per_nm if split else np.full(len(pull.steps_nm), np.inf),
         0.5,
         PIECE_M,
         waters.obstacles,
@@ -212,7 +239,53 @@ def in_corridor(
     return timed(waters, lattice.x[path], lattice.y[path], float(line.times[0])), lattice, settled
 
 
-def refine(waters: Waters, first: Line, job: Job, *, corridor: bool = True) -> tuple[Line, int]:
+def followed(waters: Waters, near: Array, ends: Array, departure: float) -> Line | None:
+    """Pull a line that was good for nearly the same question straight for this one.
+
+    Parameters
+    ----------
+    near
+        ``(m, 2)`` the line's points in the Mercator plane [m].
+    ends
+        ``(2, 2)`` where it begins and ends now.
+
+    Returns
+    -------
+    Line or None
+        ``None`` where it cannot be sailed between these ends at this time.
+    """
+    inner = near[1:-1]
+    # Where the way to the next waypoint is blocked, the way there by the old end may not be.
+    for points in (np.vstack([ends[:1], inner, ends[1:]]), np.vstack([ends[:1], near, ends[1:]])):
+        if waters.sea.clear(np.hstack([points[:-1], points[1:]])).all():
+            line = timed(waters, points[:, 0].copy(), points[:, 1].copy(), departure)
+            if np.isfinite(line.seconds) and not waters.forbid(line):
+                return simplified(waters, relaxed(waters, line, pull=QUICKLY))
+    return None
+
+
+def same_way(waters: Waters, first: Line, line: Line) -> bool:
+    """Tell whether one line leads past the same sides of all islands as another one, not far from it."""
+    a, b = (np.stack([one.x, one.y], axis=1) for one in (first, line))
+    along = np.diff(b, axis=0)
+    towards = a[:, None] - b[:-1]
+    share = (towards * along).sum(axis=2) / np.maximum((along**2).sum(axis=1), 1e-9)
+    feet = b[:-1] + np.clip(share, 0.0, 1.0)[:, :, None] * along
+    nearest = np.hypot(*np.moveaxis(a[:, None] - feet, 2, 0)).argmin(axis=1)
+    across = np.hstack([a, feet[np.arange(len(a)), nearest]])
+    apart = np.hypot(across[:, 2] - across[:, 0], across[:, 3] - across[:, 1])
+    per_m = float(scale(from_mercator(0.0, line.y.mean())[0]))
+    if apart.max() * per_m > ASIDE_M:
+        return False
+    # On which side of a skerry is for the line that is known already to say.
+    across = across[apart * per_m > SKERRY_M]
+    zones = waters.zones.close(across, -np.inf, np.inf) if waters.zones else np.zeros(1)
+    return bool(waters.sea.clear(across).all()) and not zones.any()
+
+
+def refine(
+    waters: Waters, first: Line, job: Job, *, corridor: bool = True, known: Line | None = None
+) -> tuple[Line, int]:
     """Refine what the first search found; returns the line and the vertices settled on the way.
 
     Never slower than ``first``, but for the share of `SIMPLIFY`.
@@ -221,9 +294,14 @@ def refine(waters: Waters, first: Line, job: Job, *, corridor: bool = True) -> t
     ----------
     corridor
         Search again in the corridor; else the waypoints of ``first`` are relaxed as they are.
+    known
+        A line that `followed` gave: it stays where ``first`` is long and leads the same way, or is no faster.
     """
     if not corridor:
-        return simplified(waters, relaxed(waters, first)), 0
+        if known is not None and first.x.size > FEW and same_way(waters, first, known):
+            return known, 0
+        best = simplified(waters, relaxed(waters, first))
+        return (best if known is None or best.seconds < known.seconds else known), 0
     lat, lon = from_mercator(first.x[[0, -1]], first.y[[0, -1]])
     distance_nm = float(great_circle_m(lat[0], lon[0], lat[1], lon[1])) / METRES_PER_NM
     spacing = min(CORRIDOR_SPACING_NM, max(0.25, distance_nm / 60))

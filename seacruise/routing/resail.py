@@ -116,8 +116,11 @@ class Resailed:
         return np.bincount(self.leg[:-1], weights=tacked[:-1], minlength=legs) > 0
 
 
-def resail(asked: Question, course: Course, *, fuel_rate_l_h: float) -> Resailed:
-    """Sail the legs of a course and check every metre of it."""
+def resail(asked: Question, course: Course, *, fuel_rate_l_h: float, look: bool = True) -> Resailed:
+    """Sail the legs of a course and check every metre of it.
+
+    Without ``look`` it is not held against the coast: ``land_free`` stays ``False``, see `is_land_free`.
+    """
     from seacruise.routing import _resail
 
     handling, wind = asked.how.handling, asked.wind
@@ -160,7 +163,7 @@ def resail(asked: Question, course: Course, *, fuel_rate_l_h: float) -> Resailed
         leg=rows[:, 8].astype(np.int64),
         at=at,
         arrived=arrived,
-        land_free=is_land_free(course, asked.sea),
+        land_free=look and is_land_free(course, asked.sea),
         zones_entered=asked.zones.entered(rows[:, 1], rows[:, 2], rows[:, 0]) if asked.zones else (),
         within_limits=_within_limits(asked, rows),
         fuel_l=motor_s / SECONDS_PER_HOUR * fuel_rate_l_h,
