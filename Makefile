@@ -31,7 +31,7 @@ demo:
 	$(BIN)/seacruise plan --from Gdynia --to Stockholm --depart 2016-11-20T06:00Z \
 	    --yacht "Bavaria 46 Cruiser" --forecast sample --chart build/demo.png --gpx build/demo.gpx
 
-# The import contracts are held by tests/test_house.py. The window is tested alone: its tests look at how long
+# The import contracts are held by tests/test_house.py. The window is tested after the rest: its tests look at how long
 # the screen stands still.
 test:
 	@tools/setup.sh dev
@@ -39,7 +39,8 @@ test:
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
 	$(BIN)/python -m pytest --numprocesses=2 --dist=loadfile --ignore=tests/desktop --ignore=tests/display
-	$(BIN)/python -m pytest tests/desktop tests/display
+	$(BIN)/python -m pytest --numprocesses=2 --dist=loadfile tests/desktop
+	$(BIN)/python -m pytest tests/display
 
 bench:
 	@tools/setup.sh bench

@@ -90,7 +90,7 @@ class Watch:
 
 
 def _off(shown: list[Answer]) -> Figures:
-    """Tell by how much the times shown while the hand moved miss those of a precise search."""
+    """Tell by how much longer the passages shown while the hand moved take than those searched precisely."""
     settings = Settings.from_environment({"SEACRUISE_HOME": home()})
     off = []
     for answer in shown[:: max(1, len(shown) // COMPARED)]:
@@ -98,7 +98,7 @@ def _off(shown: list[Answer]) -> Figures:
             precise = replan(answer.question, answer, settings=settings, job=Job())
         except NoPassageError:
             continue
-        off.append(abs(answer.passage.duration_h / precise.passage.duration_h - 1.0))
+        off.append(answer.passage.duration_h / precise.passage.duration_h - 1.0)
     if not off:
         return {}
     return {

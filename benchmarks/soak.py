@@ -3,6 +3,9 @@
 ``python -m benchmarks.soak [--minutes M | --hours H] [--seed S]`` drives the real window with real passages:
 drags, pans, zooms, plays, changes light and yacht, opens and closes pages, saves passages and opens them,
 in an order that a seed decides. Progress goes to standard error, one JSON object to standard output.
+
+Memory is sampled at rest: nothing is computed, and the window has given back what it can, of its own accord.
+What it takes while searches run is told apart, as the greatest of all.
 """
 
 from __future__ import annotations
@@ -15,7 +18,6 @@ import statistics
 import sys
 import time
 from collections.abc import Callable, Sequence
-from pathlib import Path
 from typing import Any, Final
 
 from PySide6.QtCore import QEventLoop, QObject, QPointF, QTimer
@@ -23,10 +25,12 @@ from PySide6.QtWidgets import QApplication, QWidget
 
 from benchmarks.frames import PASSAGE, wait
 from benchmarks.measure import Figures, Pace, run_process, say, within
+from benchmarks.memory import forget_peak, own_mb, parts, peak_mb, rss_mb
 from benchmarks.world import home
 from seacruise.desktop.app import SWITCH_S
 from seacruise.desktop.state import Phase
 from seacruise.desktop.style import apply_style
+from seacruise.desktop.thrift import import_qt_plainly
 from seacruise.desktop.window import MainWindow
 from seacruise.settings import Settings
 
@@ -34,32 +38,16 @@ MINUTES: Final = 3.0
 MEMORY_MB: Final = 400.0
 BLOCKED_MS: Final = 50.0
 SAMPLES: Final = 40
+SAMPLES_APART_S: Final = 15.0
 SETTLED: Final = 0.3
 """Share of the time after which growth is reckoned: until then caches fill."""
+
+REST_S: Final = 120.0
+"""How long at the most a sample waits for the window to come to rest [s]."""
 
 SIZE: Final = (1440, 900)
 LIGHTS: Final = ("dusk", "night", "day")
 SCHEMES: Final = ("twa", "speed", "tws")
-
-
-def rss_mb() -> float:
-    """Resident memory of this process [MB of 10^6 bytes]; its greatest where the system tells no more."""
-    statm = Path("/proc/self/statm")
-    if statm.exists():
-        return int(statm.read_text(encoding="ascii").split()[1]) * os.sysconf("SC_PAGE_SIZE") / 1e6
-    import resource
-
-    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
-    return peak / 1e6 if sys.platform == "darwin" else peak / 1e3
-
-
-def own_mb() -> float | None:
-    """Tell what of it is no file that lies in memory and could be read again [MB]; ``None`` where unknown."""
-    statm = Path("/proc/self/statm")
-    if not statm.exists():
-        return None
-    resident, shared = (int(pages) for pages in statm.read_text(encoding="ascii").split()[1:3])
-    return (resident - shared) * os.sysconf("SC_PAGE_SIZE") / 1e6
 
 
 class Heart(QObject):
@@ -269,28 +257,37 @@ def use(window: MainWindow, minutes: float, seed: int) -> Figures:
         heart.doing = name
         actions[name][1]()
     heart.pauses = []
-    done, samples, begun = 0, [_sample(0, 0.0)], time.perf_counter()
+    samples, begun = [_sample(window, 0, 0.0)], time.perf_counter()
+    forget_peak()
+    done, apart = 0, max(SAMPLES_APART_S, 60.0 * minutes / SAMPLES)
     while (now := time.perf_counter() - begun) < 60.0 * minutes:
         heart.doing = chooser.choice(names)
         actions[heart.doing][1]()
         done += 1
-        if now > len(samples) * 60.0 * minutes / SAMPLES:
-            samples.append(_sample(done, now))
-    samples.append(_sample(done, time.perf_counter() - begun))
-    return _told(samples, heart) | {"minutes": minutes, "seed": seed}
+        if now > len(samples) * apart:
+            heart.doing = "rest"
+            samples.append(_sample(window, done, now))
+    samples.append(_sample(window, done, time.perf_counter() - begun))
+    return _told(samples, heart) | {"parts": parts(), "minutes": minutes, "seed": seed}
 
 
-def _sample(done: int, seconds: float) -> Figures:
+def _sample(window: MainWindow, done: int, seconds: float) -> Figures:
+    """Look at the memory when the window has come to rest."""
+    wait(lambda: window.garbage.is_at_rest and window.chart.view.is_settled, REST_S)
     found = {
         "seconds": round(seconds, 1),
         "actions": done,
         "rss_mb": round(rss_mb(), 1),
-        "own_mb": None if (own := own_mb()) is None else round(own, 1),
+        "own_mb": own_mb(),
         "widgets": len(QApplication.allWidgets()),
         "blocks": sys.getallocatedblocks(),
     }
     say("soak: " + ", ".join(f"{name} {value}" for name, value in found.items()))
     return found
+
+
+def _ends(samples: Sequence[Figures]) -> dict[str, Figures]:
+    return {"first": samples[0], "last": samples[-1]}
 
 
 def _told(samples: Sequence[Figures], heart: Heart) -> Figures:
@@ -305,16 +302,14 @@ def _told(samples: Sequence[Figures], heart: Heart) -> Figures:
 
     most: Figures = {"rss_mb": max(s["rss_mb"] for s in samples)}
     blocked: Figures = {"blocked_ms": round(1e3 * own, 1)}
+    known = [key for key in ("rss_mb", "own_mb", "widgets", "blocks") if samples[0][key] is not None]
     return {
         "actions": samples[-1]["actions"],
-        "first_rss_mb": samples[0]["rss_mb"],
-        "last_rss_mb": samples[-1]["rss_mb"],
-        "first_own_mb": samples[0]["own_mb"],
-        "last_own_mb": samples[-1]["own_mb"],
-        "most": most | within(most, "rss_mb", MEMORY_MB),
-        "growth_mb_per_1000": growth("rss_mb"),
-        "growth_widgets_per_1000": growth("widgets"),
-        "growth_blocks_per_1000": growth("blocks"),
+        "peak_mb": round(peak_mb(), 1),
+        "at_rest": most | within(most, "rss_mb", MEMORY_MB),
+        **{f"{when}_{key}": at[key] for when, at in _ends(samples).items() for key in ("rss_mb", "own_mb")},
+        **{f"growth_{key}_per_1000": growth(key) for key in known},
+        "samples": [{key: s[key] for key in ("seconds", "actions", *known)} for s in samples],
         "worst": blocked | within(blocked, "blocked_ms", BLOCKED_MS) | {"while": doing},
         "worst_by_clock_ms": round(1e3 * max(clock, *(pause[1] for pause in heart.pauses)), 1),
         "pauses": [
@@ -349,6 +344,7 @@ def main(arguments: Sequence[str]) -> int:
     parser.add_argument("--hours", type=float, help="instead of minutes")
     parser.add_argument("--seed", type=int, default=1)
     said = parser.parse_args(arguments)
+    import_qt_plainly()
     sys.setswitchinterval(SWITCH_S)
     app: Any = QApplication([])
     apply_style(app)

@@ -263,8 +263,19 @@ def _window(section: Figures) -> str:
     return (
         f"### Window\n\nFirst frame of a cold process ({section['platform']}): median "
         f"{section['first_frame_median_s']} s, least {section['first_frame_min_s']} s of {section['runs']}, "
-        f"peak {section['peak_mb']} MB; budget {_kept(section)}." + _chart(section) + _drag(section)
+        f"peak {section['peak_mb']} MB; budget {_kept(section)}."
+        + (_at_first_frame(section) + _chart(section) + _drag(section))
     )
+
+
+def _at_first_frame(section: Figures) -> str:
+    told = {
+        "cpu_min_s": "{} s of the processor at least",
+        "rss_mb": "{} MB resident",
+        "own_mb": "{} MB of them its own",
+    }
+    figures = ", ".join(text.format(section[name]) for name, text in told.items() if name in section)
+    return f" Until then: {figures}." if figures else ""
 
 
 def _chart(section: Figures) -> str:
@@ -290,10 +301,11 @@ def _soak(section: Figures) -> str:
     if "outcome" in section:
         return f"### Long use\n\n{section['outcome']}"
     told = {key: value for key, value in section.items() if not isinstance(value, (dict, list))}
-    most, worst = section["most"], section["worst"]
+    most, worst = section["at_rest"], section["worst"]
     return (
-        f"### Long use\n\nResident memory at most {most['rss_mb']} MB, budget {_kept(most)}; the window was "
-        f"held up for {worst['blocked_ms']} ms of its own time at most (while: {worst['while']}), budget "
+        f"### Long use\n\nResident memory at rest at most {most['rss_mb']} MB, budget {_kept(most)}; while "
+        f"it computed {section['peak_mb']} MB; at rest at the end: {_facts(section['parts'])}; the window "
+        f"was held up for {worst['blocked_ms']} ms of its own time at most (while: {worst['while']}), budget "
         f"{_kept(worst)}; {_facts(told)}."
     )
 

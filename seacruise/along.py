@@ -94,7 +94,7 @@ def sail_along(
         waypoints[-1],
         departure,
         request.zones,
-        request.current or request.wind.current,
+        request.stream,
     )
     course = Course(x, y, np.ones(x.size - 1, dtype=bool))
     return resail(asked, course, fuel_rate_l_h=request.options.fuel_rate_l_h)

@@ -95,6 +95,41 @@ class OtherWay:
     lon: float
 
 
+@dataclass(frozen=True, slots=True)
+class Passing:
+    """Those of some passages that leave an island on one side.
+
+    Attributes
+    ----------
+    count
+        How many.
+    lat, lon
+        Where the middle one of them is abeam of the island [degrees].
+    """
+
+    side: Side
+    count: int
+    lat: float
+    lon: float
+
+
+@dataclass(frozen=True, slots=True)
+class Split:
+    """An island that some passages leave on another side than a planned one.
+
+    Attributes
+    ----------
+    planned
+        Side on which the planned one leaves it.
+    passing
+        One entry a side, the side of most passages first.
+    """
+
+    island: str
+    planned: Side
+    passing: tuple[Passing, ...]
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class _Ray:
     """Half a line of the Mercator plane, from an island's interior across the direct line."""
@@ -186,6 +221,55 @@ def other_ways(
         found.append(OtherWay(other, island.name, here.turned().side, float(lat), float(lon)))
     found.sort(key=lambda way: way.passage.duration_h)
     return tuple(found[:MOST_WAYS])
+
+
+def splits(
+    planned: Passage, others: Sequence[Track], *, islands: Sequence[Island] = ISLANDS
+) -> tuple[Split, ...]:
+    """Find the islands that other passages between the same ends leave on another side.
+
+    Islands beside each other part passages alike: of these the first one is told.
+
+    Parameters
+    ----------
+    others
+        Tracks; one that passes an island on neither side, or on both, is not counted there.
+    islands
+        As for `other_ways`.
+    """
+    weighed = [(island, ray) for island in islands if (ray := _ray(island, planned)) is not None]
+    lines = [_line(track) for track in others]
+    found: list[Split] = []
+    known: set[tuple[float | None, ...]] = set()
+    for island, ray in weighed[:MOST_ISLANDS]:
+        here = ray if ray.crossed(*_line(planned.track)).size % 2 else ray.turned()
+        abeam = [_abeam(here, line) for line in lines]
+        kind = tuple(None if at is None else math.copysign(1.0, at) for at in abeam)
+        if -1.0 not in kind or kind in known:
+            continue
+        known.add(kind)
+        passing = [
+            _passing(here if side > 0.0 else here.turned(), sorted(abs(at) for at in ats))
+            for side in (1.0, -1.0)
+            if (ats := [at for at in abeam if at is not None and at * side > 0.0])
+        ]
+        passing.sort(key=lambda one: -one.count)
+        found.append(Split(island.name, here.side, tuple(passing)))
+    return tuple(found)
+
+
+def _abeam(ray: _Ray, line: tuple[Array, Array]) -> float | None:
+    """Distance [m] at which a line passes on the side of a ray, negative on the opposite one."""
+    one, other = ray.crossed(*line), ray.turned().crossed(*line)
+    if one.size % 2 == other.size % 2:
+        return None
+    return float(one.min()) if one.size % 2 else -float(other.min())
+
+
+def _passing(ray: _Ray, distances: Sequence[float]) -> Passing:
+    middle = distances[len(distances) // 2]
+    lat, lon = from_mercator(ray.x + middle * ray.dx, ray.y + middle * ray.dy)
+    return Passing(ray.side, len(distances), float(lat), float(lon))
 
 
 def _line(track: Track) -> tuple[Array, Array]:

@@ -48,8 +48,9 @@ def main(argv: Sequence[str] | None = None) -> int:
     words = list(sys.argv[1:] if argv is None else argv) or ["window"]
     _have_streams()
     _speak_utf8()
-    if argv is None and words[0] != "window":
+    if argv is None:
         # A process of its own that ends in a second or two: collecting garbage would cost a tenth of it.
+        # So it would of opening the window, which takes its garbage into its own hands once it is painted.
         gc.disable()
     try:
         code = _run(words)

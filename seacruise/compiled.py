@@ -25,6 +25,17 @@ finally:
     if not _SCIPY_IS_LOADED:
         del sys.modules["scipy"]
 
+# Nor does a kernel call C by way of cffi, whose parser numba would load with its first kernel; without it
+# numba does as where there is none.
+_CFFI_IS_LOADED = "cffi" in sys.modules
+if not _CFFI_IS_LOADED:
+    sys.modules["cffi"] = None  # type: ignore[assignment]
+try:
+    import numba.core.typing.cffi_utils
+finally:
+    if not _CFFI_IS_LOADED:
+        del sys.modules["cffi"]
+
 _IS_BUNDLED = getattr(sys, "frozen", False)
 _HOME = Path(__file__).resolve().parent.parent
 

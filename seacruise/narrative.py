@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from seacruise.along import weather_along
 from seacruise.model import Passage
 from seacruise.passing import Passed, passed_places
-from seacruise.phrases import HOW, SAID, TEMPLATES, Amount, Phrase, fill
+from seacruise.phrases import HOW, POINT_LIMITS_DEG, SAID, TEMPLATES, Amount, Phrase, fill
 from seacruise.sun import sun_events
 from seacruise.units import SECONDS_PER_HOUR, beaufort
 
@@ -37,9 +37,6 @@ Kind = Literal[
     "wind-down", "strongest-wind", "waves", "current", "sunrise", "sunset", "engine-on", "engine-off",
     "forecast-ends", "arrival",
 ]  # fmt: skip
-
-POINT_LIMITS_DEG: Final = (55.0, 80.0, 100.0, 155.0)
-"""Where close-hauled, close reach, beam reach, broad reach and run meet [degrees of true wind angle]."""
 
 ASTERN_DEG: Final = 170.0
 AHEAD_DEG: Final = 25.0

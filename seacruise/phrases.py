@@ -45,6 +45,9 @@ class Phrase:
     count: int | None = None
 
 
+POINT_LIMITS_DEG: Final = (55.0, 80.0, 100.0, 155.0)
+"""Where close-hauled, close reach, beam reach, broad reach and run meet [degrees of true wind angle]."""
+
 HOW: Final = {
     "calm": ("calm", "calm"),
     "ahead": ("{wind} from ahead", "{wind} from ahead"),

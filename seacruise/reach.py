@@ -309,7 +309,7 @@ def _outing(request: ReachRequest, sea: Sea, start: Place, departure: datetime) 
             request.wind,
             slice_s=COARSE_SLICE_S,
             since=departure.timestamp(),
-            current=request.wind.current,
+            current=request.wind.current if options.currents else None,
             limits=handling.limits,
             knobs=handling.knobs,
         ),

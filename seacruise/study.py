@@ -428,14 +428,14 @@ def _with_band(run: Run, members: Sequence[Run]) -> Run:
         return run
     band = Band(
         tuple(replace(member, passage=None) for member in members),
-        _spread([member.duration_h for member in members]),
-        _spread([member.followed_h for member in members]),
+        spread_of([member.duration_h for member in members]),
+        spread_of([member.followed_h for member in members]),
     )
     return replace(run, band=band)
 
 
-def _spread(hours: Sequence[float | None]) -> Spread:
-    """Quantiles of durations, of which ``None`` takes for ever."""
+def spread_of(hours: Sequence[float | None]) -> Spread:
+    """Quantiles of durations [h], of which ``None`` takes for ever; at least one of them."""
     values = [_NEVER if value is None else value for value in hours]
     # Between a number and never there is nothing: only a quantile that lies among numbers is one.
     low, middle, high = (float(q) for q in np.quantile(values, QUANTILES))

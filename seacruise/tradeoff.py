@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from datetime import UTC
 from typing import Final
 
+from seacruise.errors import NoPassageError
 from seacruise.model import Passage, PassageRequest
-from seacruise.passage import NOBODY, how_of, question_of, the_finder, waters_of
+from seacruise.passage import DEARER_S, NOBODY, how_of, question_of, the_finder, waters_of
 from seacruise.progress import Job
 from seacruise.routing.field import FINE_SLICE_S, speed_table
 from seacruise.routing.find import Ledger
@@ -24,6 +26,9 @@ MOST_CHANGES: Final = 60
 
 WORTH_S: Final = 120.0
 """One more change of course must save at least this [s]."""
+
+SLOWEST: Final = 1.25
+"""A passage with fewer turns that takes longer than this, to the fastest, is nobody's choice."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,6 +98,64 @@ def trade_off(
             hours = (float(sailed.time[-1]) - asked.departure) / SECONDS_PER_HOUR
             choices.append(Choice(legs.size - 1, hours, float(legs.sum()), *sailed.tacks_and_gybes()))
     return _front(choices)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Calmer:
+    """A passage with fewer tacks and gybes.
+
+    Attributes
+    ----------
+    most_turns
+        `Options.most_turns` that it was planned with.
+    """
+
+    passage: Passage
+    most_turns: int
+
+
+def fewer_turns(passage: Passage, sail: Callable[[int], Passage], *, job: Job = NOBODY) -> Iterator[Calmer]:
+    """Ask for half as many tacks and gybes, and again for half, as long as that is worth its time.
+
+    Unlike the choices of `trade_off`, which count every change of course, each of these is a whole passage:
+    planned, refined and sailed again with an option that the sailor can set.
+
+    Parameters
+    ----------
+    passage
+        That has too many.
+    sail
+        Plans it with so many tacks and gybes at most; what it finds may have more of them, where so few
+        cannot be had.
+
+    Yields
+    ------
+    Calmer
+        As they are found, by falling number of turns.
+
+    Raises
+    ------
+    CancelledError
+        The job was cancelled.
+    """
+    least = passage.tacks + passage.gybes
+    most = least // 2
+    # `plan` tries as many prices of a turn as this, the dearest last: after that there are no fewer.
+    for _ in DEARER_S:
+        job.check()
+        if least == 0:
+            return
+        job.report("search", None, f"Looking for a passage with at most {most} tacks and gybes")
+        try:
+            other = sail(most)
+        except NoPassageError:
+            return
+        turns = other.tacks + other.gybes
+        if turns >= least:
+            return
+        if other.duration_h <= SLOWEST * passage.duration_h:
+            yield Calmer(other, most)
+        least, most = turns, min(most, turns) // 2
 
 
 def _front(choices: list[Choice]) -> tuple[Choice, ...]:

@@ -89,7 +89,7 @@ def sail_alone(
         there,
         asked.departure,
         passage.zones,
-        passage.current or passage.wind.current,
+        passage.stream,
     )
     try:
         found = the_finder().fastest(out, job=job, ledger=Ledger())

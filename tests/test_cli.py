@@ -144,6 +144,7 @@ def test_plan_through_all_rooms(tmp_path: Path, capsys: pytest.CaptureFixture[st
 
 def test_plan_asks_for_what_was_said(asked: Asked) -> None:
     extra = "--preset classic --directions 24 --spacing 2,5 --area rectangle --no-refine --no-tacking"
+    extra += " --no-current"
     more = "--percent-of-polar 90 --motor-below 3 --motor-speed 6 --fuel-rate 4 --max-wind 30"
     assert cli.main([*SAMPLE, *extra.split(), *more.split(), "--forecast", "more.grb"]) == 0
     assert asked.request is not None
@@ -156,9 +157,17 @@ def test_plan_asks_for_what_was_said(asked: Asked) -> None:
         *("classic", 24, 2.5),
         "rectangle",
     )
-    assert (options.refine, options.tacking) == (False, False)
+    assert (options.refine, options.tacking, options.currents) == (False, False, False)
     assert (options.percent_of_polar, options.max_wind_kn) == (90, 30)
     assert (options.motor_below_kn, options.motor_speed_kn, options.fuel_rate_l_h) == (3, 6, 4)
+
+
+def test_a_current_that_is_named_and_left_out_is_refused(
+    asked: Asked, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert cli.main([*SAMPLE, "--current", "here.grb", "--no-current"]) == 2
+    assert "--no-current" in capsys.readouterr().err
+    assert asked.request is None
 
 
 def test_what_was_not_said_is_the_preset(asked: Asked) -> None:

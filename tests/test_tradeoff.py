@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
+from datetime import timedelta
 from functools import cache
 from itertools import pairwise
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from seacruise import cli
-from seacruise.errors import CancelledError
+from seacruise.errors import CancelledError, NoPassageError
 from seacruise.export.jsonform import trade_off_to_json
 from seacruise.export.textform import trade_off_to_text
 from seacruise.passage import Options, Passage, PassageRequest, plan
@@ -17,10 +21,11 @@ from seacruise.ports import Port
 from seacruise.progress import Job
 from seacruise.resources import resource_path
 from seacruise.settings import Settings
-from seacruise.tradeoff import MOST_CHANGES, Choice, trade_off
+from seacruise.tradeoff import MOST_CHANGES, Choice, fewer_turns, trade_off
 from seacruise.weather.sample import sample_wind
 from seacruise.weather.wind import Wind
 from seacruise.yacht.fleet import find_yacht, load_fleet
+from tests.passages import hand_made_passage
 from tests.routing.worlds import DEPARTURE, cache_dir_of, steady_wind
 
 SOUTH, NORTH = Port("South", "", 55.9, 19.3), Port("North", "", 56.9, 19.3)
@@ -122,3 +127,76 @@ def test_the_command_line_adds_one_key(capsys: pytest.CaptureFixture[str]) -> No
     assert set(told) - set(without) == {"trade_off"}
     assert told["duration_h"] == without["duration_h"]
     assert told["trade_off"]
+
+
+# --- fewer tacks and gybes -----------------------------------------------------------------------------
+
+
+def turning(turns: int, hours: float) -> Passage:
+    """Make a passage with so many tacks."""
+    passage = hand_made_passage()
+    arrival = passage.departure + timedelta(hours=hours)
+    return replace(passage, tacks=turns, gybes=0, arrival=arrival)
+
+
+@given(st.lists(st.integers(0, 40), min_size=3, max_size=3), st.integers(1, 40))
+def test_turns_fall_with_each_one_and_never_rise(offered: list[int], had: int) -> None:
+    """Whatever a planner comes up with: asked for at most so many, it may find more or fewer."""
+    answers = iter(offered)
+    asked: list[int] = []
+
+    def sail(most: int) -> Passage:
+        asked.append(most)
+        return turning(next(answers), 41.0)
+
+    found = list(fewer_turns(turning(had, 40.0), sail))
+    turns = [had, *(one.passage.tacks for one in found)]
+    assert all(few < many for many, few in pairwise(turns))
+    assert asked[0] == had // 2
+    assert all(few <= many // 2 for many, few in pairwise(asked))
+    assert [one.most_turns for one in found] == asked[: len(found)]
+
+
+def test_what_takes_too_long_is_nobodys_choice_but_the_next_one_is_looked_at() -> None:
+    offered = {4: turning(4, 60.0), 2: turning(2, 44.0), 1: turning(2, 44.0)}
+    found = list(fewer_turns(turning(9, 40.0), offered.__getitem__))
+    assert [(one.passage.tacks, one.most_turns) for one in found] == [(2, 2)]
+
+
+def never(most: int) -> Passage:
+    raise AssertionError(f"asked for {most} turns")
+
+
+def test_without_turns_nothing_is_asked() -> None:
+    assert not list(fewer_turns(turning(0, 40.0), never))
+
+
+def test_where_there_is_no_way_it_ends() -> None:
+    def sail(most: int) -> Passage:
+        raise NoPassageError(f"No way with {most}.", reason="wind-limit")
+
+    assert not list(fewer_turns(turning(3, 40.0), sail))
+
+
+def test_each_is_what_is_planned_with_its_number_of_turns(folders: Settings) -> None:
+    """So adopting one, which allows so many turns, gives the very passage that was shown."""
+    request, passage, _ = weighed(WINDS["beat"](), folders)
+
+    def sail(most: int) -> Passage:
+        asked = replace(request, options=replace(request.options, most_turns=most))
+        return plan(asked, settings=folders)
+
+    found = list(fewer_turns(passage, sail))
+    assert found
+    for one in found:
+        turns = one.passage.tacks + one.passage.gybes
+        assert sail(turns).duration_h == pytest.approx(one.passage.duration_h, rel=1e-9)
+        assert turns < passage.tacks + passage.gybes
+        assert one.passage.checks.land_free
+
+
+def test_cancelled_no_more_turns_are_asked() -> None:
+    job = Job()
+    job.cancel.set()
+    with pytest.raises(CancelledError):
+        list(fewer_turns(turning(3, 40.0), never, job=job))

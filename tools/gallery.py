@@ -5,7 +5,7 @@
 
 Passages are really computed; only what cannot be had on demand, a spent quota or a network that is down, is
 put in the place of the weather service. The pictures of the first way come from the real program, driven by
-mouse and keys (``tests/display``), in both languages, and from here; they are brought down to 192 colours.
+mouse and keys (``tests/display``), in both languages, and from here; they are brought down to 256 colours.
 """
 
 from __future__ import annotations
@@ -50,7 +50,7 @@ LIGHTS = ("day", "dusk", "night")
 DOCUMENTED = ((1280, 800),)
 POLISH = ("guide-1", "passage", "when-to-go", "where-to-go")
 IN_POLISH = ((1024, "dusk"), (1280, "night"), (1920, "day"))
-COLOURS = 192
+COLOURS = 256
 PASSAGE: dict[str, Any] = {
     "start": "Gdynia",
     "end": "Stockholm",

@@ -1,9 +1,10 @@
-"""Write ``assets/wind/sample.nc`` from a NetCDF file of 10 m wind: run once, the result is committed.
+"""Write ``assets/wind/sample.nc`` and ``.npz`` from a NetCDF file of 10 m wind: run once, both are committed.
 
     python tools/make_sample_wind.py SOURCE.nc assets/wind/sample.nc
 
 The source holds ``u10 v10 (time, lat, lon)``. Values are packed as 16-bit integers of 0.01 m/s, far below
-the 0.19 m/s of the source's own quantisation.
+the 0.19 m/s of the source's own quantisation. The second file has the same as plain arrays: the program reads
+it at once, and need not load a library for NetCDF first.
 """
 
 from __future__ import annotations
@@ -54,9 +55,18 @@ def write_sample(source: Path, target: Path) -> None:
             component[:] = np.asarray(old[name][:])[:, rows][:, :, columns]
 
 
+def write_arrays(sample: Path) -> None:
+    """Write beside a sample what is in it, as the program takes it."""
+    with netCDF4.Dataset(sample) as file:
+        axes = {name: np.asarray(file[name][:], dtype=np.float64) for name in ("time", "lat", "lon")}
+        wind = {name: np.asarray(file[name][:], dtype=np.float32) for name in ("u10", "v10")}
+    np.savez_compressed(sample.with_suffix(".npz"), allow_pickle=False, **axes, **wind)
+
+
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(description="Write the sample wind from a NetCDF file.")
     parser.add_argument("source", type=Path)
     parser.add_argument("target", type=Path)
     arguments = parser.parse_args()
     write_sample(arguments.source, arguments.target)
+    write_arrays(arguments.target)

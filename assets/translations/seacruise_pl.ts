@@ -13,7 +13,7 @@
     </message>
     <message>
         <source>A planning aid, not for navigation. It knows land, the forecast and the yacht&apos;s polar; it does not know shoals, traffic schemes, local rules or your crew.</source>
-        <translation>Pomoc w planowaniu, nie do nawigacji. Program zna ląd, prognozę i biegunową jachtu; nie zna płycizn, systemów rozgraniczenia ruchu, przepisów lokalnych ani twojej załogi.</translation>
+        <translation>Narzędzie do planowania, nie do nawigacji. Program zna ląd, prognozę i biegunową jachtu; nie zna płycizn, systemów rozgraniczenia ruchu, przepisów lokalnych ani twojej załogi.</translation>
     </message>
     <message>
         <source>About SeaCruise</source>
@@ -114,8 +114,8 @@
         <translation>Krzywa po wyjściach; tabela obok mówi to samo</translation>
     </message>
     <message>
-        <source>best</source>
-        <translation>najlepsze</translation>
+        <source>shortest</source>
+        <translation>najkrócej</translation>
     </message>
     <message>
         <source>{h:g} h</source>
@@ -138,11 +138,11 @@
     </message>
     <message>
         <source>Not in the forecast, which covers {range}.</source>
-        <translation>Poza prognozą, która obejmuje czas {range}.</translation>
+        <translation>Poza prognozą, która obejmuje okres {range}.</translation>
     </message>
     <message>
         <source>The departure on {moment} is not within the forecast, which covers {range}.</source>
-        <translation>Wyjście {moment} nie mieści się w prognozie, która obejmuje czas {range}.</translation>
+        <translation>Wyjście {moment} nie mieści się w prognozie, która obejmuje okres {range}.</translation>
     </message>
     <message>
         <source>Time of departure</source>
@@ -154,7 +154,7 @@
     </message>
     <message>
         <source>{zone}. The forecast covers {range}.</source>
-        <translation>{zone}. Prognoza obejmuje czas {range}.</translation>
+        <translation>{zone}. Prognoza obejmuje okres {range}.</translation>
     </message>
 </context>
 <context>
@@ -395,7 +395,7 @@
     <name>Guide</name>
     <message>
         <source>Back</source>
-        <translation>Powrót</translation>
+        <translation>Wstecz</translation>
     </message>
     <message>
         <source>Done</source>
@@ -430,15 +430,11 @@
     </message>
     <message>
         <source>Choose the departure, your yacht and the forecast. Without a key and without a network there is practice weather, to try things out.</source>
-        <translation>Wybierz chwilę wyjścia, swój jacht i prognozę. Bez klucza i bez sieci jest pogoda ćwiczebna, do wypróbowania programu.</translation>
+        <translation>Wybierz termin wyjścia, swój jacht i prognozę. Bez klucza i bez sieci jest pogoda ćwiczebna, do wypróbowania programu.</translation>
     </message>
     <message>
         <source>Press Calculate or Ctrl+Enter. Then drag the departure below the chart, or the start or the end: the passage follows at once.</source>
-        <translation>Naciśnij Oblicz albo Ctrl+Enter. Potem przeciągnij wyjście pod mapą, start albo cel: trasa podąża od razu.</translation>
-    </message>
-    <message>
-        <source>The language changes when SeaCruise is started again.</source>
-        <translation>Język zmieni się po ponownym uruchomieniu SeaCruise.</translation>
+        <translation>Naciśnij Oblicz albo Ctrl+Enter. Potem przeciągnij wyjście pod mapą, start albo cel: trasa zmienia się od razu.</translation>
     </message>
     <message>
         <source>Type the beginning of a port&apos;s name, or a position such as 54.5, 18.6. Or right-click on the chart: sail from here, to here.</source>
@@ -461,7 +457,7 @@
     </message>
     <message>
         <source>It is kept until SeaCruise closes: this system has no keychain that it can use.</source>
-        <translation>Zostanie do zamknięcia SeaCruise: ten system nie ma dostępnego pęku kluczy.</translation>
+        <translation>Pozostanie tylko do zamknięcia SeaCruise: ten system nie udostępnia pęku kluczy.</translation>
     </message>
     <message>
         <source>Keep the key</source>
@@ -535,7 +531,7 @@
     <name>LogTable</name>
     <message>
         <source>Log of the passage</source>
-        <translation>Dziennik trasy</translation>
+        <translation>Dziennik żeglugi</translation>
     </message>
 </context>
 <context>
@@ -597,7 +593,7 @@
     </message>
     <message>
         <source>&amp;Depth tint</source>
-        <translation>Odcień &amp;głębokości</translation>
+        <translation>Barwy &amp;głębokości</translation>
     </message>
     <message>
         <source>&amp;Edit</source>
@@ -617,7 +613,7 @@
     </message>
     <message>
         <source>&amp;How she is sailed…</source>
-        <translation>&amp;Jak się żegluje…</translation>
+        <translation>&amp;Sposób żeglugi…</translation>
     </message>
     <message>
         <source>&amp;Jump to</source>
@@ -625,7 +621,7 @@
     </message>
     <message>
         <source>&amp;Lattice</source>
-        <translation>&amp;Siatka</translation>
+        <translation>&amp;Siatka obliczeń</translation>
     </message>
     <message>
         <source>&amp;Measure</source>
@@ -692,12 +688,20 @@
         <translation>&amp;Anuluj</translation>
     </message>
     <message>
+        <source>Choose Open-Meteo&apos;s ensemble, or a file with members, as the forecast.</source>
+        <translation>Wybierz jako prognozę wiązkę Open-Meteo albo plik z członami.</translation>
+    </message>
+    <message>
         <source>D&amp;usk</source>
         <translation>&amp;Zmierzch</translation>
     </message>
     <message>
         <source>Day and &amp;night</source>
         <translation>Dzień i no&amp;c</translation>
+    </message>
+    <message>
+        <source>Fewer &amp;turns</source>
+        <translation>M&amp;niej zwrotów</translation>
     </message>
     <message>
         <source>L&amp;egs, weather, log</source>
@@ -716,12 +720,24 @@
         <translation>Linie &amp;równego czasu</translation>
     </message>
     <message>
+        <source>Members of t&amp;he forecast</source>
+        <translation>C&amp;złony prognozy</translation>
+    </message>
+    <message>
+        <source>Members of t&amp;he forecast (it has none)</source>
+        <translation>C&amp;złony prognozy (nie ma ich)</translation>
+    </message>
+    <message>
         <source>Othe&amp;r ways</source>
         <translation>&amp;Inne drogi</translation>
     </message>
     <message>
         <source>Sa&amp;ve this passage</source>
         <translation>Zapisz tę t&amp;rasę</translation>
+    </message>
+    <message>
+        <source>Sail another wa&amp;y</source>
+        <translation>Płyń &amp;inną drogą</translation>
     </message>
     <message>
         <source>Save as &amp;KML…</source>
@@ -757,11 +773,11 @@
     </message>
     <message>
         <source>Wind as &amp;field of colour</source>
-        <translation>Wiatr jako &amp;barwne pole</translation>
+        <translation>Wia&amp;tr jako barwne pole</translation>
     </message>
     <message>
         <source>Zoom &amp;in</source>
-        <translation>Pr&amp;zybliż</translation>
+        <translation>Przy&amp;bliż</translation>
     </message>
     <message>
         <source>Zoom &amp;out</source>
@@ -779,15 +795,11 @@
     <name>NumberBox</name>
     <message>
         <source>kn</source>
-        <translation>w.</translation>
+        <translation>kn</translation>
     </message>
 </context>
 <context>
     <name>OptionsBar</name>
-    <message>
-        <source> kn</source>
-        <translation> w.</translation>
-    </message>
     <message>
         <source>Crew sails at</source>
         <translation>Załoga płynie na</translation>
@@ -798,7 +810,7 @@
     </message>
     <message>
         <source>Everything about how she is sailed (Ctrl+Shift+O)</source>
-        <translation>Wszystko o tym, jak się żegluje (Ctrl+Shift+O)</translation>
+        <translation>Wszystkie ustawienia żeglugi (Ctrl+Shift+O)</translation>
     </message>
     <message>
         <source>Fewer options</source>
@@ -809,24 +821,8 @@
         <translation>O&amp;graniczenia, halsy…</translation>
     </message>
     <message>
-        <source>Most wind (TWS)</source>
-        <translation>Najsilniejszy wiatr (TWS)</translation>
-    </message>
-    <message>
-        <source>Motor when slower than</source>
-        <translation>Silnik poniżej</translation>
-    </message>
-    <message>
         <source>What differs from the defaults</source>
         <translation>Co różni się od ustawień domyślnych</translation>
-    </message>
-    <message>
-        <source>never</source>
-        <translation>nigdy</translation>
-    </message>
-    <message>
-        <source>no limit</source>
-        <translation>bez ograniczenia</translation>
     </message>
 </context>
 <context>
@@ -845,7 +841,7 @@
     </message>
     <message>
         <source> kn</source>
-        <translation> w.</translation>
+        <translation> kn</translation>
     </message>
     <message>
         <source> l/h</source>
@@ -901,7 +897,7 @@
     </message>
     <message>
         <source>Everything is at its default.</source>
-        <translation>Wszystko ma wartości domyślne.</translation>
+        <translation>Wszystkie ustawienia są domyślne.</translation>
     </message>
     <message>
         <source>Fuel</source>
@@ -913,15 +909,15 @@
     </message>
     <message>
         <source>How it is searched</source>
-        <translation>Jak się szuka</translation>
+        <translation>Sposób szukania</translation>
     </message>
     <message>
         <source>How she is sailed</source>
-        <translation>Jak się żegluje</translation>
+        <translation>Sposób żeglugi</translation>
     </message>
     <message>
         <source>Kept everywhere but on the way out of and into the ports</source>
-        <translation>Zachowana wszędzie poza drogami z portów i do portów</translation>
+        <translation>Zachowana wszędzie poza wyjściem z portu i podejściem do portu</translation>
     </message>
     <message>
         <source>Limits</source>
@@ -938,6 +934,10 @@
     <message>
         <source>Motor when slower than</source>
         <translation>Silnik poniżej</translation>
+    </message>
+    <message>
+        <source>Reckon with the current</source>
+        <translation>Uwzględniaj prąd</translation>
     </message>
     <message>
         <source>Search</source>
@@ -961,11 +961,15 @@
     </message>
     <message>
         <source>Tack up and gybe down the wind</source>
-        <translation>Halsowanie na wiatr i z wiatrem</translation>
+        <translation>Halsowanie pod wiatr i z wiatrem</translation>
     </message>
     <message>
         <source>Tacks and gybes at most</source>
         <translation>Najwyżej zwrotów</translation>
+    </message>
+    <message>
+        <source>The forecast at hand has no current.</source>
+        <translation>Ta prognoza nie zawiera prądu.</translation>
     </message>
     <message>
         <source>Usual length of a board</source>
@@ -985,7 +989,7 @@
     </message>
     <message>
         <source>as many as it takes</source>
-        <translation>ile potrzeba</translation>
+        <translation>ile trzeba</translation>
     </message>
     <message>
         <source>classic (the 2016 method)</source>
@@ -1009,7 +1013,7 @@
     </message>
     <message>
         <source>none kept</source>
-        <translation>bez odległości</translation>
+        <translation>dowolna</translation>
     </message>
     <message>
         <source>of that at night</source>
@@ -1102,11 +1106,11 @@
     <name>PassagePane</name>
     <message>
         <source>Courses to steer, one row a leg (Alt+1)</source>
-        <translation>Kursy do sterowania, wiersz na odcinek (Alt+1)</translation>
+        <translation>Kursy do sterowania, odcinek po odcinku (Alt+1)</translation>
     </message>
     <message>
         <source>Fold the pages away</source>
-        <translation>Zwiń strony</translation>
+        <translation>Zwiń panel</translation>
     </message>
     <message>
         <source>L&amp;egs of the passage</source>
@@ -1138,11 +1142,11 @@
     </message>
     <message>
         <source>Show the pages</source>
-        <translation>Pokaż strony</translation>
+        <translation>Pokaż panel</translation>
     </message>
     <message>
         <source>The passage told in sentences (Alt+3)</source>
-        <translation>Trasa opowiedziana zdaniami (Alt+3)</translation>
+        <translation>Trasa opisana słowami (Alt+3)</translation>
     </message>
     <message>
         <source>We&amp;ather along the way</source>
@@ -1154,7 +1158,7 @@
     </message>
     <message>
         <source>What is shown of the passage</source>
-        <translation>Co widać z trasy</translation>
+        <translation>Co pokazać o trasie</translation>
     </message>
     <message>
         <source>Wind, boat speed and sea over time (Alt+2)</source>
@@ -1163,6 +1167,14 @@
 </context>
 <context>
     <name>PassagesPage</name>
+    <message numerus="yes">
+        <source>%n passage(s) deleted.</source>
+        <translation>
+            <numerusform>Usunięto %n trasę.</numerusform>
+            <numerusform>Usunięto %n trasy.</numerusform>
+            <numerusform>Usunięto %n tras.</numerusform>
+        </translation>
+    </message>
     <message>
         <source>&amp;Delete</source>
         <translation>&amp;Usuń</translation>
@@ -1197,7 +1209,7 @@
     </message>
     <message>
         <source>It is gone for good: deleted passages are kept for a day.</source>
-        <translation>Przepadła na dobre: usunięte trasy są przechowywane przez dobę.</translation>
+        <translation>Trasy nie da się już odzyskać: usunięte trasy są przechowywane przez dobę.</translation>
     </message>
     <message>
         <source>Name of the passage</source>
@@ -1270,7 +1282,7 @@
     </message>
     <message>
         <source>Sailing it again, to check</source>
-        <translation>Ponowne przepłynięcie, dla sprawdzenia</translation>
+        <translation>Sprawdzanie odcinek po odcinku</translation>
     </message>
     <message>
         <source>Starting…</source>
@@ -1391,23 +1403,27 @@
     <name>ResultPanel</name>
     <message>
         <source>A check failed: do not sail it as it is.</source>
-        <translation>Sprawdzenie nie powiodło się: nie płyń tą trasą bez zmian.</translation>
+        <translation>Trasa nie przeszła sprawdzenia: nie płyń nią bez zmian.</translation>
     </message>
     <message>
         <source>A planning aid, not for navigation: shoals, traffic schemes and local rules are not in it. Check the passage on an official chart.</source>
-        <translation>Pomoc w planowaniu, nie do nawigacji: nie ma w niej płycizn, systemów rozgraniczenia ruchu ani przepisów lokalnych. Sprawdź trasę na mapie urzędowej.</translation>
+        <translation>Narzędzie do planowania, nie do nawigacji: nie ma w nim płycizn, systemów rozgraniczenia ruchu ani przepisów lokalnych. Sprawdź trasę na mapie urzędowej.</translation>
     </message>
     <message>
         <source>Against the wind</source>
-        <translation>Pod wiatr</translation>
+        <translation>Ostro na wiatr</translation>
     </message>
     <message>
         <source>Beyond the forecast</source>
-        <translation>Po końcu prognozy</translation>
+        <translation>Poza prognozą</translation>
     </message>
     <message>
         <source>By way of</source>
         <translation>Przez</translation>
+    </message>
+    <message>
+        <source>Checked leg by leg: {what}.</source>
+        <translation>Sprawdzona odcinek po odcinku: {what}.</translation>
     </message>
     <message>
         <source>Departs {leaves}
@@ -1424,12 +1440,16 @@ Przybycie {arrives}</translation>
         <translation>Poprzednia trasa: {head}</translation>
     </message>
     <message>
+        <source>Force {force} on the Beaufort scale</source>
+        <translation>{force} w skali Beauforta</translation>
+    </message>
+    <message>
         <source>Hours with the sun more than 6° below the horizon</source>
         <translation>Godziny, gdy słońce jest ponad 6° pod horyzontem</translation>
     </message>
     <message>
         <source>In the dark</source>
-        <translation>W ciemności</translation>
+        <translation>W nocy</translation>
     </message>
     <message>
         <source>Mean speed</source>
@@ -1437,7 +1457,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>No passage of hers in this wind takes less than {t}.</source>
-        <translation>Żadna trasa tego jachtu przy tym wietrze nie trwa krócej niż {t}.</translation>
+        <translation>Przy tym wietrze ten jacht nie dopłynie szybciej niż w {t}.</translation>
     </message>
     <message>
         <source>Part of the time closer than {angle:.0f}° to the true wind</source>
@@ -1446,10 +1466,6 @@ Przybycie {arrives}</translation>
     <message>
         <source>Roughly so far: {head}</source>
         <translation>Na razie z grubsza: {head}</translation>
-    </message>
-    <message>
-        <source>Sailed again leg by leg: {what}.</source>
-        <translation>Przepłynięta ponownie, odcinek po odcinku: {what}.</translation>
     </message>
     <message>
         <source>Strongest wind</source>
@@ -1469,15 +1485,15 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>clear of land</source>
-        <translation>z dala od lądu</translation>
+        <translation>nie przecina lądu</translation>
     </message>
     <message>
         <source>issued {moment}, {age} ago</source>
-        <translation>z {moment}, sprzed {age}</translation>
+        <translation>wydana {moment}, {age} temu</translation>
     </message>
     <message>
         <source>within your limits</source>
-        <translation>w twoich granicach</translation>
+        <translation>w ramach twoich ograniczeń</translation>
     </message>
     <message>
         <source>{deg:g}° grid, every {step:g} h</source>
@@ -1493,7 +1509,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>{n:.1f} kn</source>
-        <translation>{n:.1f} w.</translation>
+        <translation>{n:.1f} kn</translation>
     </message>
     <message>
         <source>{percent:.0f} %</source>
@@ -1551,6 +1567,13 @@ Przybycie {arrives}</translation>
     </message>
 </context>
 <context>
+    <name>Succession</name>
+    <message>
+        <source>SEACRUISE_LANGUAGE decides on the language; the choice counts without it.</source>
+        <translation>O języku decyduje SEACRUISE_LANGUAGE; wybór działa, gdy tej zmiennej nie ma.</translation>
+    </message>
+</context>
+<context>
     <name>TimeBar</name>
     <message>
         <source>&amp;Leaves</source>
@@ -1566,7 +1589,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>Drag the departure: the passage follows</source>
-        <translation>Przeciągnij wyjście: trasa podąża za nim</translation>
+        <translation>Przeciągnij wyjście: trasa zmienia się od razu</translation>
     </message>
     <message>
         <source>Pause</source>
@@ -1578,7 +1601,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>Time along the passage</source>
-        <translation>Czas wzdłuż trasy</translation>
+        <translation>Chwila na trasie</translation>
     </message>
 </context>
 <context>
@@ -1632,7 +1655,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>A passage that would end after the forecast is none.</source>
-        <translation>Trasa, która skończyłaby się po prognozie, nie jest uznawana.</translation>
+        <translation>Trasa, która skończyłaby się po końcu prognozy, jest odrzucana.</translation>
     </message>
     <message>
         <source>A service does not answer</source>
@@ -1652,7 +1675,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>Fade to the usual within a day</source>
-        <translation>Wygasaj do zwykłego w ciągu doby</translation>
+        <translation>Przejdź do średniego w ciągu doby</translation>
     </message>
     <message>
         <source>Files</source>
@@ -1688,7 +1711,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>Refuse to sail on</source>
-        <translation>Odmów dalszej żeglugi</translation>
+        <translation>Nie płyń dalej</translation>
     </message>
     <message>
         <source>That did not work</source>
@@ -1731,7 +1754,7 @@ Przybycie {arrives}</translation>
     <name>Welcome</name>
     <message>
         <source>Choose two ports, a departure and your yacht. SeaCruise finds the fastest passage under sail.</source>
-        <translation>Wybierz dwa porty, chwilę wyjścia i swój jacht. SeaCruise znajdzie najszybszą trasę pod żaglami.</translation>
+        <translation>Wybierz dwa porty, termin wyjścia i swój jacht. SeaCruise znajdzie najszybszą trasę pod żaglami.</translation>
     </message>
     <message>
         <source>Ctrl+Enter calculates, Esc cancels, + and − zoom, the arrow keys move the chart.</source>
@@ -1751,7 +1774,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>Then drag the start, the end or the departure: the passage follows.</source>
-        <translation>Potem przeciągnij start, cel albo wyjście: trasa podąża za zmianą.</translation>
+        <translation>Potem przeciągnij start, cel albo wyjście: trasa zmienia się od razu.</translation>
     </message>
 </context>
 <context>
@@ -1798,7 +1821,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>Or drop the file here: it is checked and copied to your own</source>
-        <translation>Albo upuść plik tutaj: zostanie sprawdzony i skopiowany do twoich</translation>
+        <translation>Albo upuść plik tutaj: zostanie sprawdzony i skopiowany do twojego folderu</translation>
     </message>
     <message>
         <source>Reading the yachts</source>
@@ -1810,7 +1833,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>Take her for the passage</source>
-        <translation>Weź ten jacht na trasę</translation>
+        <translation>Użyj tego jachtu na trasie</translation>
     </message>
     <message>
         <source>There are no yachts yet. Drop a polar file here, or add one.</source>
@@ -1837,7 +1860,7 @@ Przybycie {arrives}</translation>
     <name>YachtView</name>
     <message>
         <source>  {yacht}: {speed:.2f} kn.</source>
-        <translation>  {yacht}: {speed:.2f} w.</translation>
+        <translation>  {yacht}: {speed:.2f} kn.</translation>
     </message>
     <message>
         <source> %</source>
@@ -1893,7 +1916,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>{tws} kn</source>
-        <translation>{tws} w.</translation>
+        <translation>{tws} kn</translation>
     </message>
 </context>
 <context>
@@ -1905,6 +1928,10 @@ Przybycie {arrives}</translation>
     <message>
         <source>&amp;Measure from here</source>
         <translation>&amp;Mierz stąd</translation>
+    </message>
+    <message>
+        <source>In {n} members: {hours}</source>
+        <translation>W członach ({n}): {hours}</translation>
     </message>
     <message>
         <source>No longer avoid “{name}”</source>
@@ -1928,7 +1955,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>Sail {way}</source>
-        <translation>Płyń {way}</translation>
+        <translation>Płyń: {way}</translation>
     </message>
     <message>
         <source>{miles:g} nm</source>
@@ -1936,14 +1963,14 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>{radius} nm around</source>
-        <translation>{radius} Mm wokół</translation>
+        <translation>w promieniu {radius} Mm</translation>
     </message>
 </context>
 <context>
     <name>coarse</name>
     <message>
         <source>Coarse coast: no islets, no depths.</source>
-        <translation>Wybrzeże z grubsza: bez wysepek, bez głębokości.</translation>
+        <translation>Wybrzeże uproszczone: bez wysepek i głębokości.</translation>
     </message>
     <message>
         <source>Routing sees land to 1 km here.</source>
@@ -1966,7 +1993,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>A boat speed [kn] to start the engine below</source>
-        <translation>Prędkość jachtu, poniżej której uruchamia się silnik [w.]</translation>
+        <translation>Prędkość jachtu, poniżej której uruchamia się silnik [kn]</translation>
     </message>
     <message>
         <source>A course of {} degrees for {} s cannot be sailed; give both anew.</source>
@@ -2006,7 +2033,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>A limit of gusts [kn]</source>
-        <translation>Ograniczenie porywów [w.]</translation>
+        <translation>Ograniczenie porywów [kn]</translation>
     </message>
     <message>
         <source>A limit of the wave height [m]</source>
@@ -2066,11 +2093,11 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>A share of speed at night of {} is out of range; give 0.1 to 1.</source>
-        <translation>Ułamek prędkości w nocy {} jest poza zakresem; podaj od 0.1 do 1.</translation>
+        <translation>Ułamek prędkości w nocy {} jest poza zakresem; podaj od 0,1 do 1.</translation>
     </message>
     <message>
         <source>A simulation needs a departure with a time zone (--depart).</source>
-        <translation>Symulacja wymaga chwili wyjścia ze strefą czasową (--depart).</translation>
+        <translation>Symulacja wymaga terminu wyjścia ze strefą czasową (--depart).</translation>
     </message>
     <message>
         <source>A simulation needs at least one forecast.</source>
@@ -2082,7 +2109,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>A speed under engine [kn]</source>
-        <translation>Prędkość na silniku [w.]</translation>
+        <translation>Prędkość na silniku [kn]</translation>
     </message>
     <message>
         <source>A stay of {} h does not fit into {} h; give less, or more time.</source>
@@ -2098,11 +2125,11 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>A wind limit [kn]</source>
-        <translation>Ograniczenie wiatru [w.]</translation>
+        <translation>Ograniczenie wiatru [kn]</translation>
     </message>
     <message>
         <source>A wind speed of a picture is out of range; give 0.5 to 100 kn.</source>
-        <translation>Prędkość wiatru na wykresie jest poza zakresem; podaj od 0.5 do 100 w.</translation>
+        <translation>Prędkość wiatru na wykresie jest poza zakresem; podaj od 0,5 do 100 kn.</translation>
     </message>
     <message>
         <source>A {} lattice cannot have {} directions; choose {}.</source>
@@ -2146,7 +2173,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>Every way leads through more wind than the {} kn you allow; leave at another time or raise the limit.</source>
-        <translation>Każda droga prowadzi przez wiatr silniejszy niż dopuszczone {} w.; wyjdź o innej porze albo podnieś ograniczenie.</translation>
+        <translation>Każda droga prowadzi przez wiatr silniejszy niż dopuszczone {} kn; wyjdź o innej porze albo podnieś ograniczenie.</translation>
     </message>
     <message>
         <source>File {}</source>
@@ -2182,7 +2209,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>Getting the wind</source>
-        <translation>Pobieranie wiatru</translation>
+        <translation>Pobieranie prognozy wiatru</translation>
     </message>
     <message>
         <source>Gusts are known until {}; after that the mean wind stands for them.</source>
@@ -2197,8 +2224,8 @@ Przybycie {arrives}</translation>
         <translation>to jest folder</translation>
     </message>
     <message>
-        <source>It stands in because STORMGLASS_API_KEY is not set and Open-Meteo failed ({}).</source>
-        <translation>Zastępuje prognozę, bo STORMGLASS_API_KEY nie jest ustawiony, a Open-Meteo zawiodło ({}).</translation>
+        <source>It stands in because no Storm Glass key is set and Open-Meteo failed ({}).</source>
+        <translation>Zastępuje prognozę, bo nie ma klucza Storm Glass, a Open-Meteo zawiodło ({}).</translation>
     </message>
     <message>
         <source>Its answers were asked for another passage and lie up to {} nm away from this one.</source>
@@ -2211,6 +2238,10 @@ Przybycie {arrives}</translation>
     <message>
         <source>Looking at the other side of {}</source>
         <translation>Sprawdzanie drugiej strony: {}</translation>
+    </message>
+    <message>
+        <source>Looking for a passage with at most {} tacks and gybes</source>
+        <translation>Szukanie trasy, na której zwrotów jest najwyżej {}</translation>
     </message>
     <message>
         <source>MET Norway</source>
@@ -2305,8 +2336,8 @@ Przybycie {arrives}</translation>
         <translation>Tylko {} z {} ustalonych średnich ma żądaną wagę; pomiń mniej (--drop, --least-weight) albo waż inaczej (--weigh).</translation>
     </message>
     <message>
-        <source>Open-Meteo, because STORMGLASS_API_KEY is not set; practice weather when that fails</source>
-        <translation>Open-Meteo, bo STORMGLASS_API_KEY nie jest ustawiony; gdy zawiedzie, pogoda ćwiczebna</translation>
+        <source>Open-Meteo, because no Storm Glass key is set; practice weather when that fails</source>
+        <translation>Open-Meteo, bo nie ma klucza Storm Glass; gdy zawiedzie, pogoda ćwiczebna</translation>
     </message>
     <message>
         <source>Outside 9 to 31° E and 53 to 66° N the coast is known to 1 km only: islets are missing there, keep well off every shore.</source>
@@ -2362,19 +2393,19 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>Sailed again she is becalmed on the way to {}.</source>
-        <translation>Przepłynięta ponownie: w drodze do {} jacht staje w ciszy.</translation>
+        <translation>Sprawdzenie: jacht staje w ciszy w drodze do: {}.</translation>
     </message>
     <message>
         <source>Sailed again the way touches land on the way to {}.</source>
-        <translation>Przepłynięta ponownie: droga do {} dotyka lądu.</translation>
+        <translation>Sprawdzenie: lądu dotyka droga do: {}.</translation>
     </message>
     <message>
         <source>Sailing the passage again</source>
-        <translation>Ponowne przepłynięcie trasy</translation>
+        <translation>Sprawdzanie trasy odcinek po odcinku</translation>
     </message>
     <message>
         <source>Sailing the ways out again</source>
-        <translation>Ponowne przepłynięcie dróg tam</translation>
+        <translation>Sprawdzanie dróg tam</translation>
     </message>
     <message>
         <source>Saint Petersburg</source>
@@ -2386,7 +2417,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>Sample: real Baltic analyses, 20-22 Nov 2016 (NOAA GFS)</source>
-        <translation>Przykład: rzeczywiste analizy dla Bałtyku, 20–22 listopada 2016 (NOAA GFS)</translation>
+        <translation>Przykład: analizy dla Bałtyku, 20–22 listopada 2016 (NOAA GFS)</translation>
     </message>
     <message>
         <source>SeaCruise is not installed completely: {} is missing; install it again.</source>
@@ -2414,7 +2445,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>She is at {} already; there is nothing left to plan.</source>
-        <translation>Jacht jest już w {}; nie ma czego planować.</translation>
+        <translation>Jacht jest już na miejscu ({}); nie ma czego planować.</translation>
     </message>
     <message>
         <source>She keeps {} nm off every shore, but on the ways out of and into the ports.</source>
@@ -2422,7 +2453,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>She sets out {} nm from {}, at the nearest water of the chart that is connected with the open sea.</source>
-        <translation>Jacht wyrusza {} Mm od {}, z najbliższej wody na mapie połączonej z otwartym morzem.</translation>
+        <translation>Jacht wyrusza {} Mm od punktu {}, z najbliższej wody na mapie połączonej z otwartym morzem.</translation>
     </message>
     <message>
         <source>She tacks and gybes {} times: no passage with only {} was found.</source>
@@ -2430,11 +2461,11 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>She waits {} h in {}, until what you do not allow has passed.</source>
-        <translation>Jacht czeka {} h w {}, aż minie to, czego nie dopuszczasz.</translation>
+        <translation>Jacht czeka {} h w porcie {}, aż miną warunki, których nie dopuszczasz.</translation>
     </message>
     <message>
         <source>Some of the wind is from an answer {} h old.</source>
-        <translation>Część wiatru pochodzi z odpowiedzi sprzed {} h.</translation>
+        <translation>Część danych o wietrze jest sprzed {} h.</translation>
     </message>
     <message>
         <source>Some of what is in the file besides the wind is not used: {}.</source>
@@ -2518,7 +2549,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>The arrival needs a time zone; give it in UTC, for example 2016-11-22T18:00Z.</source>
-        <translation>Chwila przybycia wymaga strefy czasowej; podaj ją w UTC, np. 2016-11-22T18:00Z.</translation>
+        <translation>Termin przybycia wymaga strefy czasowej; podaj go w UTC, np. 2016-11-22T18:00Z.</translation>
     </message>
     <message>
         <source>The classic preset has 12 directions; choose --preset precise for more.</source>
@@ -2570,7 +2601,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>The departure needs a time zone; give it in UTC, for example 2016-11-20T06:00Z.</source>
-        <translation>Chwila wyjścia wymaga strefy czasowej; podaj ją w UTC, np. 2016-11-20T06:00Z.</translation>
+        <translation>Termin wyjścia wymaga strefy czasowej; podaj go w UTC, np. 2016-11-20T06:00Z.</translation>
     </message>
     <message>
         <source>The departure {} UTC is outside the forecast ({}), which covers {} to {} UTC; choose a time within it.</source>
@@ -2630,11 +2661,11 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>The forecast ends; from here on its last wind fades to the usual.</source>
-        <translation>Prognoza się kończy; odtąd jej ostatni wiatr wygasa do zwykłego.</translation>
+        <translation>Koniec prognozy; odtąd jej ostatni wiatr przechodzi stopniowo w średni.</translation>
     </message>
     <message>
         <source>The forecast ends; from here on its last wind is held.</source>
-        <translation>Prognoza się kończy; odtąd jej ostatni wiatr jest utrzymany.</translation>
+        <translation>Koniec prognozy; odtąd utrzymany jest jej ostatni wiatr.</translation>
     </message>
     <message>
         <source>The forecast has {}: what you do not allow of them was not looked at.</source>
@@ -2718,7 +2749,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>The passage {} {} nm from {}, at the nearest water of the chart that is connected with the open sea.</source>
-        <translation>Trasa {} {} Mm od {}, na najbliższej wodzie mapy połączonej z otwartym morzem.</translation>
+        <translation>Trasa {} {} Mm od punktu {}, na najbliższej wodzie mapy połączonej z otwartym morzem.</translation>
     </message>
     <message>
         <source>The picture {} must end in .png, .pdf or .svg; give another name.</source>
@@ -2818,7 +2849,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>The wind ({}) does not reach {} ({}); choose a forecast that covers both ports.</source>
-        <translation>Wiatr ({}) nie sięga do {} ({}); wybierz prognozę, która obejmuje oba porty.</translation>
+        <translation>Wiatr ({}) nie sięga punktu {} ({}); wybierz prognozę, która obejmuje oba porty.</translation>
     </message>
     <message>
         <source>The wind ({}) is no ensemble; choose a forecast with members.</source>
@@ -2826,7 +2857,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>The wind is from an answer {} h old.</source>
-        <translation>Wiatr pochodzi z odpowiedzi sprzed {} h.</translation>
+        <translation>Dane o wietrze są sprzed {} h.</translation>
     </message>
     <message>
         <source>The wind is from {}, {} h old{}.</source>
@@ -2998,7 +3029,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>Ways to or from {} are sailed in part in the last known wind, held beyond the end of the forecast.</source>
-        <translation>Drogi do {} lub stamtąd płynie się częściowo na ostatnim znanym wietrze, utrzymanym po końcu prognozy.</translation>
+        <translation>Drogi do {} lub z powrotem płynie się częściowo na ostatnim znanym wietrze, utrzymanym po końcu prognozy.</translation>
     </message>
     <message>
         <source>Weather data by MET Norway (CC BY 4.0).</source>
@@ -3013,8 +3044,8 @@ Przybycie {arrives}</translation>
         <translation>Ważenie czasu względem zmian kursu</translation>
     </message>
     <message>
-        <source>Wind from Open-Meteo, because STORMGLASS_API_KEY is not set</source>
-        <translation>Wiatr z Open-Meteo, bo STORMGLASS_API_KEY nie jest ustawiony</translation>
+        <source>Wind from Open-Meteo, because no Storm Glass key is set</source>
+        <translation>Wiatr z Open-Meteo, bo nie ma klucza Storm Glass</translation>
     </message>
     <message>
         <source>Wind from Storm Glass, because a key is set</source>
@@ -3029,8 +3060,8 @@ Przybycie {arrives}</translation>
         <translation>Nie można utworzyć twojego folderu biegunowych {}: {}; zwolnij tam miejsce.</translation>
     </message>
     <message>
-        <source>Zones of your layers that are kept clear of: {}.</source>
-        <translation>Omijane strefy z twoich warstw: {}.</translation>
+        <source>Zones that are kept clear of: {}.</source>
+        <translation>Omijane strefy: {}.</translation>
     </message>
     <message>
         <source>a boat speed is negative or not finite</source>
@@ -3146,7 +3177,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>fading to the usual</source>
-        <translation>wygasającym do zwykłego</translation>
+        <translation>przechodzącym w średni</translation>
     </message>
     <message>
         <source>feature {} of {}</source>
@@ -4090,7 +4121,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>{} ports</source>
-        <translation>portów: {}</translation>
+        <translation>{} portów</translation>
     </message>
     <message>
         <source>{} refuses the request (HTTP {}): {}.</source>
@@ -4162,7 +4193,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>{} ways out were sailed again: their times are {} to {} % off those told.</source>
-        <translation>Dróg tam przepłyniętych ponownie: {}; ich czasy różnią się od podanych o {} do {} %.</translation>
+        <translation>Dróg tam sprawdzonych odcinek po odcinku: {}; ich czasy różnią się od podanych o {} do {} %.</translation>
     </message>
     <message>
         <source>{} wind shifting</source>
@@ -4226,7 +4257,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>{}: a boat speed of {} kn is not within 0 and {}</source>
-        <translation>{}: prędkość jachtu {} w. nie leży między 0 a {}</translation>
+        <translation>{}: prędkość jachtu {} kn nie leży między 0 a {}</translation>
     </message>
     <message>
         <source>{}: a list of figures is missing</source>
@@ -4238,7 +4269,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>{}: a wind speed of {} kn is not within 0 and {}</source>
-        <translation>{}: prędkość wiatru {} w. nie leży między 0 a {}</translation>
+        <translation>{}: prędkość wiatru {} kn nie leży między 0 a {}</translation>
     </message>
     <message>
         <source>{}: lat {} is not within -90 and 90{}.</source>
@@ -4262,11 +4293,11 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>{}: the wind speed {} kn is there twice</source>
-        <translation>{}: prędkość wiatru {} w. jest tu dwa razy</translation>
+        <translation>{}: prędkość wiatru {} kn jest tu dwa razy</translation>
     </message>
     <message>
         <source>{}: the wind speeds must increase, {} kn comes after {}</source>
-        <translation>{}: prędkości wiatru muszą rosnąć, a {} w. jest po {}</translation>
+        <translation>{}: prędkości wiatru muszą rosnąć, a {} kn jest po {}</translation>
     </message>
     <message>
         <source>{}: the yacht {} is also in {}; rename one of them.</source>
@@ -4294,7 +4325,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>{}: {} degrees at {} kn has two speeds, {} and {} kn</source>
-        <translation>{}: {} stopni przy {} w. ma dwie prędkości, {} i {} w.</translation>
+        <translation>{}: {} stopni przy {} kn ma dwie prędkości, {} i {} kn</translation>
     </message>
     <message>
         <source>{}: {} degrees is no angle of a best VMG</source>
@@ -4377,15 +4408,15 @@ Przybycie {arrives}</translation>
     <name>depth</name>
     <message>
         <source>tint about {low:.0f}–{high:.0f} m</source>
-        <translation>odcień około {low:.0f}–{high:.0f} m</translation>
+        <translation>głębokość ok. {low:.0f}–{high:.0f} m</translation>
     </message>
     <message>
         <source>tint over about {metres:.0f} m</source>
-        <translation>odcień ponad około {metres:.0f} m</translation>
+        <translation>głębokość ponad ok. {metres:.0f} m</translation>
     </message>
     <message>
         <source>tint under about {metres:.0f} m</source>
-        <translation>odcień poniżej około {metres:.0f} m</translation>
+        <translation>głębokość poniżej ok. {metres:.0f} m</translation>
     </message>
     <message>
         <source>{tint} (coarse)</source>
@@ -4407,7 +4438,7 @@ Przybycie {arrives}</translation>
     <name>jobs</name>
     <message>
         <source>SeaCruise made a mistake of its own ({kind}); what you had is kept. The details are in seacruise.log: see Help, About.</source>
-        <translation>SeaCruise popełnił własny błąd ({kind}); to, co było, zostało zachowane. Szczegóły są w pliku seacruise.log: zobacz Pomoc, O programie.</translation>
+        <translation>Błąd wewnętrzny SeaCruise ({kind}); to, co było, zostało zachowane. Szczegóły są w pliku seacruise.log: zobacz Pomoc, O programie.</translation>
     </message>
 </context>
 <context>
@@ -4425,11 +4456,15 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>Boat speed (kn)</source>
-        <translation>Prędkość jachtu (w.)</translation>
+        <translation>Prędkość jachtu (kn)</translation>
     </message>
     <message>
         <source>Depth (m), coarse: not for navigation</source>
         <translation>Głębokość (m), z grubsza: nie do nawigacji</translation>
+    </message>
+    <message>
+        <source>Fastest in each of {n} members</source>
+        <translation>Najszybsza w każdym z {n} członów</translation>
     </message>
     <message>
         <source>Point of sail</source>
@@ -4472,7 +4507,7 @@ Przybycie {arrives}</translation>
     <name>legs</name>
     <message>
         <source>Angle to the wind in a sailor&apos;s word</source>
-        <translation>Kąt do wiatru żeglarskim słowem</translation>
+        <translation>Kurs względem wiatru</translation>
     </message>
     <message>
         <source>Best sail where the leg begins</source>
@@ -4480,7 +4515,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>Boat kn</source>
-        <translation>Jacht w.</translation>
+        <translation>Jacht kn</translation>
     </message>
     <message>
         <source>COG</source>
@@ -4488,7 +4523,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>Course over ground, degrees true</source>
-        <translation>Kurs nad dnem, stopnie rzeczywiste</translation>
+        <translation>Kąt drogi nad dnem (KDd), stopnie rzeczywiste</translation>
     </message>
     <message>
         <source>Direction the true wind comes from</source>
@@ -4615,7 +4650,74 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>What happens</source>
-        <translation>Co się dzieje</translation>
+        <translation>Zdarzenie</translation>
+    </message>
+</context>
+<context>
+    <name>members</name>
+    <message>
+        <source>Along it she does not arrive in {n} of {total}.</source>
+        <translation>Płynąc nią, jacht nie dociera do celu w {n} z {total}.</translation>
+    </message>
+    <message>
+        <source>In {n} members</source>
+        <translation>Człony prognozy ({n})</translation>
+    </message>
+    <message>
+        <source>In {n} of {total} members so far</source>
+        <translation>Dotąd {n} z {total} członów</translation>
+    </message>
+    <message>
+        <source>No passage in {n} of {total}.</source>
+        <translation>Brak trasy w {n} z {total}.</translation>
+    </message>
+    <message>
+        <source>Sailing the members of the forecast…</source>
+        <translation>Obliczanie tras dla członów prognozy…</translation>
+    </message>
+    <message>
+        <source>The planned line takes {hours}.</source>
+        <translation>Zaplanowana trasa trwa {hours}.</translation>
+    </message>
+    <message>
+        <source>about {middle}</source>
+        <translation>około {middle}</translation>
+    </message>
+    <message>
+        <source>hardly ever arrives</source>
+        <translation>jacht prawie nigdy nie dopływa</translation>
+    </message>
+    <message>
+        <source>{head}: {hours}.</source>
+        <translation>{head}: {hours}.</translation>
+    </message>
+    <message>
+        <source>{low} at best (10 %)</source>
+        <translation>w najlepszym razie {low} (10 %)</translation>
+    </message>
+    <message>
+        <source>{low} to {high} (10 to 90 %), median {middle}</source>
+        <translation>od {low} do {high} (10–90 %), mediana {middle}</translation>
+    </message>
+    <message>
+        <source>{n} h</source>
+        <translation>{n} h</translation>
+    </message>
+    <message>
+        <source>{n} of {total} go {side}, as planned.</source>
+        <translation>{n} z {total}: {side}, zgodnie z planem.</translation>
+    </message>
+    <message>
+        <source>{n} of {total} go {side}, unlike the plan.</source>
+        <translation>{n} z {total}: {side}, inaczej niż w planie.</translation>
+    </message>
+    <message>
+        <source>{n} of {total} members</source>
+        <translation>{n} z {total} członów</translation>
+    </message>
+    <message>
+        <source>{n} of {total} members sailed so far…</source>
+        <translation>Obliczono dotąd {n} z {total} członów…</translation>
     </message>
 </context>
 <context>
@@ -4662,7 +4764,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>Everything else is as it was.</source>
-        <translation>Cała reszta jest taka, jaka była.</translation>
+        <translation>Poza tym nic się nie zmieniło.</translation>
     </message>
     <message>
         <source>Leave at another time, or let the engine help in light wind.</source>
@@ -4674,7 +4776,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>Motor below 3 kn</source>
-        <translation>Silnik poniżej 3 w.</translation>
+        <translation>Silnik poniżej 3 kn</translation>
     </message>
     <message>
         <source>No connection to the weather service</source>
@@ -4682,31 +4784,31 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>No passage</source>
-        <translation>Nie ma trasy</translation>
+        <translation>Brak trasy</translation>
     </message>
     <message>
         <source>No passage: a closed area</source>
-        <translation>Nie ma trasy: obszar zamknięty</translation>
+        <translation>Brak trasy: obszar zamknięty</translation>
     </message>
     <message>
         <source>No passage: becalmed</source>
-        <translation>Nie ma trasy: cisza</translation>
+        <translation>Brak trasy: cisza</translation>
     </message>
     <message>
         <source>No passage: dead against the wind</source>
-        <translation>Nie ma trasy: wprost pod wiatr</translation>
+        <translation>Brak trasy: wprost pod wiatr</translation>
     </message>
     <message>
         <source>No passage: no way by water</source>
-        <translation>Nie ma trasy: brak drogi wodnej</translation>
+        <translation>Brak trasy: nie ma drogi wodnej</translation>
     </message>
     <message>
         <source>No passage: outside the forecast</source>
-        <translation>Nie ma trasy: poza prognozą</translation>
+        <translation>Brak trasy: poza prognozą</translation>
     </message>
     <message>
         <source>No passage: too much wind</source>
-        <translation>Nie ma trasy: za silny wiatr</translation>
+        <translation>Brak trasy: za silny wiatr</translation>
     </message>
     <message>
         <source>Not a forecast for today</source>
@@ -4718,11 +4820,11 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>Please check what was given</source>
-        <translation>Sprawdź, co podano</translation>
+        <translation>Sprawdź wpisane dane</translation>
     </message>
     <message>
         <source>Raise your limit of wind if the crew can stand it, or leave at another time.</source>
-        <translation>Podnieś ograniczenie wiatru, jeśli załoga to zniesie, albo wyjdź o innej porze.</translation>
+        <translation>Podnieś ograniczenie wiatru, jeśli załoga da radę, albo wyjdź o innej porze.</translation>
     </message>
     <message>
         <source>Show the place</source>
@@ -4730,11 +4832,11 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>Something that was saved is damaged</source>
-        <translation>Coś, co zapisano, jest uszkodzone</translation>
+        <translation>Zapisane dane są uszkodzone</translation>
     </message>
     <message>
         <source>Something went wrong inside SeaCruise</source>
-        <translation>Coś poszło źle wewnątrz SeaCruise</translation>
+        <translation>Błąd wewnętrzny SeaCruise</translation>
     </message>
     <message>
         <source>Start and end are the same</source>
@@ -4754,7 +4856,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>The count starts again at 00:00 UTC; until then use a file or practice weather.</source>
-        <translation>Licznik rusza od nowa o 00:00 UTC; do tego czasu użyj pliku albo pogody ćwiczebnej.</translation>
+        <translation>Limit odnawia się o 00:00 UTC; do tego czasu użyj pliku albo pogody ćwiczebnej.</translation>
     </message>
     <message>
         <source>The file was not saved</source>
@@ -4778,7 +4880,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>The weather service is asked too often</source>
-        <translation>Zapytania do usługi pogodowej są zbyt częste</translation>
+        <translation>Zbyt częste zapytania do usługi pogodowej</translation>
     </message>
     <message>
         <source>To the form</source>
@@ -4786,7 +4888,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>Today&apos;s requests are spent</source>
-        <translation>Dzisiejsze zapytania są zużyte</translation>
+        <translation>Dzisiejszy limit zapytań jest wyczerpany</translation>
     </message>
     <message>
         <source>Try again</source>
@@ -4845,7 +4947,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>Boat speed, kn</source>
-        <translation>Prędkość jachtu, w.</translation>
+        <translation>Prędkość jachtu, kn</translation>
     </message>
     <message>
         <source>TWA: port</source>
@@ -4869,11 +4971,11 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>current {speed:.1f} kn setting {direction}</source>
-        <translation>prąd {speed:.1f} w. w kierunku {direction}</translation>
+        <translation>prąd {speed:.1f} kn w kierunku {direction}</translation>
     </message>
     <message>
         <source>current, kn</source>
-        <translation>prąd, w.</translation>
+        <translation>prąd, kn</translation>
     </message>
     <message>
         <source>engine</source>
@@ -4901,7 +5003,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>{speed:.1f} kn, TWA {angle:.0f}° {side}</source>
-        <translation>{speed:.1f} w., TWA {angle:.0f}° {side}</translation>
+        <translation>{speed:.1f} kn, TWA {angle:.0f}° {side}</translation>
     </message>
 </context>
 <context>
@@ -4928,15 +5030,15 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>Bears away to {course}; {how}.</source>
-        <translation>Odpada na kurs {course}; {how}.</translation>
+        <translation>Odpadnięcie na kurs {course}; {how}.</translation>
     </message>
     <message>
         <source>Begins to beat; {turns} until {time}, {wind}.</source>
-        <translation>Zaczyna halsówkę; {turns} do {time}, {wind}.</translation>
+        <translation>Początek halsówki; {turns} do {time}, {wind}.</translation>
     </message>
     <message>
         <source>Begins to run before the wind; {turns} until {time}, {wind}.</source>
-        <translation>Zaczyna żeglugę z wiatrem; {turns} do {time}, {wind}.</translation>
+        <translation>Początek żeglugi z wiatrem; {turns} do {time}, {wind}.</translation>
     </message>
     <message>
         <source>Gybes to {course}; {how}.</source>
@@ -4944,7 +5046,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>Heads up to {course}; {how}.</source>
-        <translation>Ostrzy na kurs {course}; {how}.</translation>
+        <translation>Wyostrzenie na kurs {course}; {how}.</translation>
     </message>
     <message>
         <source>Highest waves of the passage, {height}.</source>
@@ -4972,19 +5074,19 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>Rounds {place}, {distance} to port; {how}.</source>
-        <translation>Mija {place}, {distance} z lewej burty; {how}.</translation>
+        <translation>Obejście: {place}, {distance} z lewej burty; {how}.</translation>
     </message>
     <message>
         <source>Rounds {place}, {distance} to starboard; {how}.</source>
-        <translation>Mija {place}, {distance} z prawej burty; {how}.</translation>
+        <translation>Obejście: {place}, {distance} z prawej burty; {how}.</translation>
     </message>
     <message>
         <source>Starts the engine; {how}.</source>
-        <translation>Uruchamia silnik; {how}.</translation>
+        <translation>Uruchomienie silnika; {how}.</translation>
     </message>
     <message>
         <source>Stops the engine; {how}.</source>
-        <translation>Gasi silnik; {how}.</translation>
+        <translation>Zatrzymanie silnika; {how}.</translation>
     </message>
     <message>
         <source>Strongest current of the passage, {speed} setting {course}.</source>
@@ -5012,15 +5114,15 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>The forecast ends; from here on its last wind fades to the usual.</source>
-        <translation>Prognoza się kończy; odtąd jej ostatni wiatr wygasa do zwykłego.</translation>
+        <translation>Koniec prognozy; odtąd jej ostatni wiatr przechodzi stopniowo w średni.</translation>
     </message>
     <message>
         <source>The forecast ends; from here on its last wind is held.</source>
-        <translation>Prognoza się kończy; odtąd jej ostatni wiatr jest utrzymany.</translation>
+        <translation>Koniec prognozy; odtąd utrzymany jest jej ostatni wiatr.</translation>
     </message>
     <message>
         <source>The wind backs; {how}.</source>
-        <translation>Wiatr kręci w lewo; {how}.</translation>
+        <translation>Wiatr skręca w lewo; {how}.</translation>
     </message>
     <message>
         <source>The wind drops to force {force}; {how}.</source>
@@ -5032,11 +5134,11 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>The wind veers; {how}.</source>
-        <translation>Wiatr kręci w prawo; {how}.</translation>
+        <translation>Wiatr skręca w prawo; {how}.</translation>
     </message>
     <message>
         <source>Waits {hours} in {place}, until what is not allowed has passed.</source>
-        <translation>Czeka {hours} w porcie {place}, aż minie to, czego nie dopuszczasz.</translation>
+        <translation>Postój {hours} w porcie {place}, aż miną warunki, których nie dopuszczasz.</translation>
     </message>
     <message>
         <source>calm</source>
@@ -5107,7 +5209,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>at most {n} tacks and gybes</source>
-        <translation>najwyżej tyle zwrotów: {n}</translation>
+        <translation>zwrotów najwyżej {n}</translation>
     </message>
     <message>
         <source>at most {wind} of wind</source>
@@ -5135,7 +5237,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>engine below {n:g} kn</source>
-        <translation>silnik poniżej {n:g} w.</translation>
+        <translation>silnik poniżej {n:g} kn</translation>
     </message>
     <message>
         <source>gusts to {wind}</source>
@@ -5190,6 +5292,10 @@ Przybycie {arrives}</translation>
         <translation>po prognozie wiatr wygasa</translation>
     </message>
     <message>
+        <source>without currents</source>
+        <translation>bez prądów</translation>
+    </message>
+    <message>
         <source>yes</source>
         <translation>tak</translation>
     </message>
@@ -5211,7 +5317,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>{n:g} kn under engine</source>
-        <translation>{n:g} w. na silniku</translation>
+        <translation>{n:g} kn na silniku</translation>
     </message>
     <message>
         <source>{n:g} l/h</source>
@@ -5246,7 +5352,11 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>Best is leaving {leaves}: {hours} under way.</source>
-        <translation>Najlepiej wyjść {leaves}: {hours} w drodze.</translation>
+        <translation>Najlepsze wyjście: {leaves}, {hours} w drodze.</translation>
+    </message>
+    <message>
+        <source>But the strongest wind is {wind}, not {other}.</source>
+        <translation>Ale najsilniejszy wiatr to {wind} zamiast {other}.</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -5270,7 +5380,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>Fastest is {yacht}, leaving {leaves}: {hours} under way.</source>
-        <translation>Najszybciej płynie {yacht}, wyjście {leaves}: {hours} w drodze.</translation>
+        <translation>Najszybciej płynie {yacht}, wyjście: {leaves}, {hours} w drodze.</translation>
     </message>
     <message>
         <source>Fi&amp;nd ports</source>
@@ -5286,7 +5396,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>Hours in the dark</source>
-        <translation>Godziny w ciemności</translation>
+        <translation>Godziny w nocy</translation>
     </message>
     <message>
         <source>Hours under engine</source>
@@ -5298,7 +5408,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>Its water lies {distance} away.</source>
-        <translation>Jego woda leży {distance} dalej.</translation>
+        <translation>Najbliższa dostępna woda leży {distance} od portu.</translation>
     </message>
     <message>
         <source>Latest departure from there that is back in time</source>
@@ -5306,7 +5416,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>Leave by</source>
-        <translation>Wyjdź do</translation>
+        <translation>Najpóźniej</translation>
     </message>
     <message>
         <source>Leaves</source>
@@ -5314,15 +5424,15 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>Leaving as planned, {leaves}, is best: {hours} under way, up to {saves} less than later.</source>
-        <translation>Najlepiej wyjść zgodnie z planem, {leaves}: {hours} w drodze, do {saves} krócej niż później.</translation>
+        <translation>Najlepsze jest wyjście zgodne z planem ({leaves}): {hours} w drodze, do {saves} krócej niż później.</translation>
     </message>
     <message>
         <source>Leaving {leaves} is best: {hours} under way. Others seem shorter, but more than a tenth of them is beyond the forecast.</source>
-        <translation>Najlepiej wyjść {leaves}: {hours} w drodze. Inne wyjścia wydają się krótsze, ale ponad jedna dziesiąta ich czasu leży po końcu prognozy.</translation>
+        <translation>Najlepsze wyjście: {leaves}, {hours} w drodze. Inne wydają się krótsze, ale ponad jedna dziesiąta ich czasu leży poza prognozą.</translation>
     </message>
     <message>
         <source>Leaving {leaves} saves {saves}: {hours} under way instead of {other}.</source>
-        <translation>Wyjście {leaves} oszczędza {saves}: {hours} w drodze zamiast {other}.</translation>
+        <translation>Wyjście: {leaves} – krócej o {saves}, {hours} w drodze zamiast {other}.</translation>
     </message>
     <message>
         <source>Length of the way out</source>
@@ -5350,7 +5460,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>Nothing can be said yet about when to leave: more than a tenth of every passage is beyond the forecast. In the wind held from then on, leaving {leaves} is shortest: {hours} under way.</source>
-        <translation>O chwili wyjścia nie można jeszcze nic powiedzieć: ponad jedna dziesiąta każdej trasy leży po końcu prognozy. Na wietrze utrzymanym od tej chwili najkrótsze jest wyjście {leaves}: {hours} w drodze.</translation>
+        <translation>O terminie wyjścia nie można jeszcze nic powiedzieć: ponad jedna dziesiąta każdej trasy leży poza prognozą. Na wietrze utrzymanym od końca prognozy najkrócej trwa wyjście: {leaves}, {hours} w drodze.</translation>
     </message>
     <message>
         <source>Nothing was changed.</source>
@@ -5358,7 +5468,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>One port fits, {port}: {spare} to spare by {until}.</source>
-        <translation>Mieści się jeden port, {port}: zapas {spare} do {until}.</translation>
+        <translation>Mieści się jeden port: {port}, zapas {spare} do {until}.</translation>
     </message>
     <message>
         <source>Out</source>
@@ -5370,7 +5480,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>Plans the passage of the form for several departures, from its own on, and shows how long each takes, when it arrives and in what wind. Choose how many, and press Compare.</source>
-        <translation>Planuje trasę z formularza dla kilku wyjść, począwszy od podanego, i pokazuje, jak długo trwa każda, kiedy przybywa i przy jakim wietrze. Wybierz, ile ich ma być, i naciśnij Porównaj.</translation>
+        <translation>Planuje trasę z formularza dla kilku wyjść, począwszy od podanego, i pokazuje, ile trwa każda, kiedy jacht dopływa i przy jakim wietrze. Wybierz, ile ich ma być, i naciśnij Porównaj.</translation>
     </message>
     <message>
         <source>Port</source>
@@ -5410,7 +5520,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>What fits</source>
-        <translation>Co się mieści</translation>
+        <translation>Czy się mieści</translation>
     </message>
     <message>
         <source>What was found so far stays.</source>
@@ -5423,6 +5533,10 @@ Przybycie {arrives}</translation>
     <message>
         <source>Where to go</source>
         <translation>Dokąd płynąć</translation>
+    </message>
+    <message>
+        <source>Wind</source>
+        <translation>Wiatr</translation>
     </message>
     <message>
         <source>Yacht</source>
@@ -5462,11 +5576,11 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>{h:.0f} h of the way are beyond the forecast.</source>
-        <translation>{h:.0f} h drogi leży po końcu prognozy.</translation>
+        <translation>{h:.0f} h drogi leży poza prognozą.</translation>
     </message>
     <message>
         <source>{hours} of it beyond the forecast</source>
-        <translation>z tego {hours} po końcu prognozy</translation>
+        <translation>z tego {hours} poza prognozą</translation>
     </message>
     <message>
         <source>{h} h</source>
@@ -5494,15 +5608,15 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>{n} ports are reached by {until}; the farthest is {port}, with {spare} to spare.</source>
-        <translation>Porty osiągalne do {until}: {n}; najdalszy to {port}, zapas {spare}.</translation>
+        <translation>Do {until} dopłyniesz do {n} portów; najdalszy to {port}, zapas {spare}.</translation>
     </message>
     <message>
         <source>{n} ports are reached, but none of them and back by {until}.</source>
-        <translation>Porty osiągalne: {n}, ale do {until} nie da się wrócić z żadnego.</translation>
+        <translation>Dopłyniesz do {n} portów, ale z żadnego nie wrócisz do {until}.</translation>
     </message>
     <message>
         <source>{n} ports fit, back by {until}; the farthest is {port}, with {spare} to spare.</source>
-        <translation>Porty, które się mieszczą, z powrotem do {until}: {n}; najdalszy to {port}, zapas {spare}.</translation>
+        <translation>Do {until} wrócisz z {n} portów; najdalszy to {port}, zapas {spare}.</translation>
     </message>
     <message>
         <source>{over} too long</source>
@@ -5510,7 +5624,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>{time} from {start}, leaving {leaves}, {yacht}</source>
-        <translation>{time} z {start}, wyjście {leaves}, {yacht}</translation>
+        <translation>{start}: {time}, wyjście {leaves}, {yacht}</translation>
     </message>
     <message>
         <source>{yacht} is fastest.</source>
@@ -5553,7 +5667,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>Boat speed [kn]</source>
-        <translation>Prędkość jachtu [w.]</translation>
+        <translation>Prędkość jachtu [kn]</translation>
     </message>
     <message>
         <source>CROSSES A ZONE</source>
@@ -5641,11 +5755,11 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>Lower bound</source>
-        <translation>Dolna granica</translation>
+        <translation>Nie krócej niż</translation>
     </message>
     <message>
         <source>Manoeuvres</source>
-        <translation>Manewry</translation>
+        <translation>Zwroty</translation>
     </message>
     <message>
         <source>Mar</source>
@@ -5669,7 +5783,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>Not a navigation chart. A planning aid: check every leg on official charts before sailing.</source>
-        <translation>To nie jest mapa nawigacyjna. Pomoc w planowaniu: przed wyjściem sprawdź każdy odcinek na mapach urzędowych.</translation>
+        <translation>To nie jest mapa nawigacyjna, lecz pomoc w planowaniu: przed wyjściem sprawdź każdy odcinek na mapach urzędowych.</translation>
     </message>
     <message>
         <source>Notices (continued)</source>
@@ -5693,7 +5807,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>Sailed again</source>
-        <translation>Przepłynięto ponownie</translation>
+        <translation>Sprawdzenie</translation>
     </message>
     <message>
         <source>Sat</source>
@@ -5709,15 +5823,15 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>Speed kn</source>
-        <translation>Pręd. w.</translation>
+        <translation>Pręd. kn</translation>
     </message>
     <message>
         <source>Steer</source>
-        <translation>Kurs</translation>
+        <translation>Steruj</translation>
     </message>
     <message>
         <source>Strongest wind</source>
-        <translation>Najsilniejszy wiatr</translation>
+        <translation>Wiatr do</translation>
     </message>
     <message>
         <source>Sun</source>
@@ -5733,7 +5847,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>TWS kn</source>
-        <translation>TWS w.</translation>
+        <translation>TWS kn</translation>
     </message>
     <message>
         <source>Tack</source>
@@ -5761,7 +5875,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>True wind [kn]</source>
-        <translation>Wiatr rzeczywisty [w.]</translation>
+        <translation>Wiatr rzeczywisty [kn]</translation>
     </message>
     <message>
         <source>Tue</source>
@@ -5769,7 +5883,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>Turning</source>
-        <translation>Zwroty</translation>
+        <translation>Na zwroty</translation>
     </message>
     <message>
         <source>Waves [m]</source>
@@ -5805,7 +5919,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>beyond the forecast</source>
-        <translation>po prognozie</translation>
+        <translation>poza prognozą</translation>
     </message>
     <message>
         <source>both</source>
@@ -5813,7 +5927,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>clear of land</source>
-        <translation>z dala od lądu</translation>
+        <translation>nie przecina lądu</translation>
     </message>
     <message>
         <source>engine</source>
@@ -5837,7 +5951,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>tacks {tacks}, gybes {gybes}, course changes {changes}</source>
-        <translation>zwroty przez sztag {tacks}, przez rufę {gybes}, zmiany kursu {changes}</translation>
+        <translation>przez sztag {tacks}, przez rufę {gybes}, zmiany kursu {changes}</translation>
     </message>
     <message>
         <source>under engine</source>
@@ -5845,7 +5959,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>within limits</source>
-        <translation>w granicach</translation>
+        <translation>w ramach ograniczeń</translation>
     </message>
     <message>
         <source>{begin} to {end} UTC</source>
@@ -5853,11 +5967,11 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>{hours} beyond the forecast</source>
-        <translation>{hours} po końcu prognozy</translation>
+        <translation>{hours} poza prognozą</translation>
     </message>
     <message>
         <source>{hours} for manoeuvres</source>
-        <translation>{hours} na manewry</translation>
+        <translation>{hours}</translation>
     </message>
     <message>
         <source>{hours}, {litres:.0f} l of fuel</source>
@@ -5869,11 +5983,11 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>{speed:.0f} kn</source>
-        <translation>{speed:.0f} w.</translation>
+        <translation>{speed:.0f} kn</translation>
     </message>
     <message>
         <source>{speed:.1f} kn</source>
-        <translation>{speed:.1f} w.</translation>
+        <translation>{speed:.1f} kn</translation>
     </message>
 </context>
 <context>
@@ -5934,6 +6048,33 @@ Przybycie {arrives}</translation>
     </message>
 </context>
 <context>
+    <name>system</name>
+    <message>
+        <source>File name too long</source>
+        <translation>Nazwa pliku jest za długa</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>Brak miejsca na dysku</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>Nie ma takiego pliku ani folderu</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>To nie jest folder</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>Brak uprawnień</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>Dysk jest tylko do odczytu</translation>
+    </message>
+</context>
+<context>
     <name>undo</name>
     <message>
         <source>&amp;Redo</source>
@@ -5965,7 +6106,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>how she is sailed</source>
-        <translation>jak się żegluje</translation>
+        <translation>sposób żeglugi</translation>
     </message>
     <message>
         <source>passage</source>
@@ -5973,11 +6114,11 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>sailing by way of a place</source>
-        <translation>płynięcie przez miejsce</translation>
+        <translation>trasa przez wskazane miejsce</translation>
     </message>
     <message>
         <source>sailing direct</source>
-        <translation>płynięcie wprost</translation>
+        <translation>trasa bezpośrednia</translation>
     </message>
     <message>
         <source>start and end</source>
@@ -6016,7 +6157,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>kn</source>
-        <translation>w.</translation>
+        <translation>kn</translation>
     </message>
     <message>
         <source>m</source>
@@ -6032,14 +6173,85 @@ Przybycie {arrives}</translation>
     </message>
 </context>
 <context>
+    <name>verdict</name>
+    <message>
+        <source>A day is enough, one way.</source>
+        <translation>W jedną stronę wystarczy doba.</translation>
+    </message>
+    <message>
+        <source>In this weather a day is enough, one way.</source>
+        <translation>Przy tej pogodzie w jedną stronę wystarczy doba.</translation>
+    </message>
+    <message>
+        <source>{d} d {h} h</source>
+        <translation>{d} d {h} h</translation>
+    </message>
+    <message>
+        <source>{h} h</source>
+        <translation>{h} h</translation>
+    </message>
+    <message>
+        <source>{takes}: a week is enough, one way, with {left} to spare.</source>
+        <translation>{takes}: w jedną stronę tydzień wystarczy, zapas {left}.</translation>
+    </message>
+    <message>
+        <source>{takes}: a week is hardly enough, {left} too long.</source>
+        <translation>{takes}: tydzień raczej nie wystarczy, o {left} za długo.</translation>
+    </message>
+    <message>
+        <source>{takes}: a week is not enough, {left} too long.</source>
+        <translation>{takes}: tydzień nie wystarczy, o {left} za długo.</translation>
+    </message>
+    <message>
+        <source>{takes}: a week is probably enough, one way, with {left} to spare.</source>
+        <translation>{takes}: w jedną stronę tydzień prawdopodobnie wystarczy, zapas {left}.</translation>
+    </message>
+    <message>
+        <source>{takes}: in this weather a week is enough, one way, with {left} to spare.</source>
+        <translation>{takes}: przy tej pogodzie w jedną stronę tydzień wystarczy, zapas {left}.</translation>
+    </message>
+    <message>
+        <source>{takes}: in this weather a week is not enough, {left} too long.</source>
+        <translation>{takes}: przy tej pogodzie tydzień nie wystarczy, o {left} za długo.</translation>
+    </message>
+</context>
+<context>
     <name>ways</name>
+    <message numerus="yes">
+        <source>%n turn(s) instead of {others}:</source>
+        <translation>
+            <numerusform>%n zwrot zamiast {others}:</numerusform>
+            <numerusform>%n zwroty zamiast {others}:</numerusform>
+            <numerusform>%n zwrotów zamiast {others}:</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n turn(s):</source>
+        <translation>
+            <numerusform>%n zwrot:</numerusform>
+            <numerusform>%n zwroty:</numerusform>
+            <numerusform>%n zwrotów:</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Fewer turns: {ways}. Click one on the chart, or choose it under Passage, Sail another way.</source>
+        <translation>Mniej zwrotów: {ways}. Kliknij trasę na mapie albo wybierz ją w menu Trasa, Płyń inną drogą.</translation>
+    </message>
+    <message>
+        <source>None on the chart: View, Other ways or Fewer turns</source>
+        <translation>Na mapie nie ma żadnej: Widok, Inne drogi albo Mniej zwrotów</translation>
+    </message>
+    <message>
+        <source>There is no passage with fewer tacks and gybes that is worth its time.</source>
+        <translation>Nie ma trasy z mniejszą liczbą zwrotów, która byłaby warta swojego czasu.</translation>
+    </message>
     <message>
         <source>direct</source>
-        <translation>wprost</translation>
+        <translation>bezpośrednio</translation>
     </message>
     <message>
         <source>east of {island}</source>
-        <translation>na wschód od {island}</translation>
+        <translation>{island} od wschodu</translation>
     </message>
     <message>
         <source>leaving {moment}</source>
@@ -6047,15 +6259,19 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>north of {island}</source>
-        <translation>na północ od {island}</translation>
+        <translation>{island} od północy</translation>
     </message>
     <message>
         <source>south of {island}</source>
-        <translation>na południe od {island}</translation>
+        <translation>{island} od południa</translation>
     </message>
     <message>
         <source>west of {island}</source>
-        <translation>na zachód od {island}</translation>
+        <translation>{island} od zachodu</translation>
+    </message>
+    <message>
+        <source>{n} ({difference})</source>
+        <translation>{n} ({difference})</translation>
     </message>
     <message>
         <source>{way} {duration}</source>
@@ -6078,7 +6294,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>In the mean, with weight</source>
-        <translation>W średniej, z wagą</translation>
+        <translation>Do średniej, z wagą</translation>
     </message>
     <message>
         <source>In use</source>
@@ -6162,7 +6378,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>not now</source>
-        <translation>nie teraz</translation>
+        <translation>niedostępne</translation>
     </message>
     <message>
         <source>not reached</source>
@@ -6217,23 +6433,23 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>Best beat {beat:.0f}°, VMG {up:.2f} kn.  Best run {run:.0f}°, VMG {down:.2f} kn.</source>
-        <translation>Najlepsza halsówka {beat:.0f}°, VMG {up:.2f} w.  Najlepszy pełny kurs {run:.0f}°, VMG {down:.2f} w.</translation>
+        <translation>Najlepsza halsówka {beat:.0f}°, VMG {up:.2f} kn.  Najlepszy pełny kurs {run:.0f}°, VMG {down:.2f} kn.</translation>
     </message>
     <message>
         <source>Boat speed on the beat [kn]</source>
-        <translation>Prędkość jachtu w halsówce [w.]</translation>
+        <translation>Prędkość jachtu w halsówce [kn]</translation>
     </message>
     <message>
         <source>Boat speed on the run [kn]</source>
-        <translation>Prędkość jachtu na pełnym kursie [w.]</translation>
+        <translation>Prędkość jachtu na pełnym kursie [kn]</translation>
     </message>
     <message>
         <source>By how much her VMG on the beat is better than the other yacht&apos;s [kn]</source>
-        <translation>O ile VMG tego jachtu w halsówce jest lepsze niż drugiego [w.]</translation>
+        <translation>O ile VMG tego jachtu w halsówce jest lepsze niż drugiego [kn]</translation>
     </message>
     <message>
         <source>By how much her VMG on the run is better than the other yacht&apos;s [kn]</source>
-        <translation>O ile VMG tego jachtu na pełnym kursie jest lepsze niż drugiego [w.]</translation>
+        <translation>O ile VMG tego jachtu na pełnym kursie jest lepsze niż drugiego [kn]</translation>
     </message>
     <message>
         <source>Fitted to {n} steady means of 10 s from {logs}.</source>
@@ -6241,11 +6457,11 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>Made good against the wind [kn]</source>
-        <translation>Zysk pod wiatr [w.]</translation>
+        <translation>Zysk pod wiatr [kn]</translation>
     </message>
     <message>
         <source>Made good with the wind [kn]</source>
-        <translation>Zysk z wiatrem [w.]</translation>
+        <translation>Zysk z wiatrem [kn]</translation>
     </message>
     <message>
         <source>Run</source>
@@ -6261,7 +6477,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>TWA {twa:.0f}°{tack}: {speed:.2f} kn</source>
-        <translation>TWA {twa:.0f}°{tack}: {speed:.2f} w.</translation>
+        <translation>TWA {twa:.0f}°{tack}: {speed:.2f} kn</translation>
     </message>
     <message>
         <source>TWS</source>
@@ -6277,7 +6493,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>True wind speed [kn]</source>
-        <translation>Prędkość wiatru rzeczywistego [w.]</translation>
+        <translation>Prędkość wiatru rzeczywistego [kn]</translation>
     </message>
     <message>
         <source>VMG</source>
@@ -6285,15 +6501,15 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>VMG {vmg:.2f} kn to leeward</source>
-        <translation>VMG {vmg:.2f} w. z wiatrem</translation>
+        <translation>VMG {vmg:.2f} kn z wiatrem</translation>
     </message>
     <message>
         <source>VMG {vmg:.2f} kn to windward</source>
-        <translation>VMG {vmg:.2f} w. pod wiatr</translation>
+        <translation>VMG {vmg:.2f} kn pod wiatr</translation>
     </message>
     <message>
         <source>apparent {awa:.0f}°, {aws:.1f} kn</source>
-        <translation>pozorny {awa:.0f}°, {aws:.1f} w.</translation>
+        <translation>pozorny {awa:.0f}°, {aws:.1f} kn</translation>
     </message>
     <message>
         <source>gybing</source>
@@ -6301,7 +6517,7 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>kn</source>
-        <translation>w.</translation>
+        <translation>kn</translation>
     </message>
     <message>
         <source>port</source>
@@ -6317,11 +6533,11 @@ Przybycie {arrives}</translation>
     </message>
     <message>
         <source>{how} at {angle:.0f}° makes good {made:.2f} kn that way.</source>
-        <translation>{how} przy {angle:.0f}° daje w tę stronę {made:.2f} w.</translation>
+        <translation>{how} przy {angle:.0f}° daje w tę stronę {made:.2f} kn.</translation>
     </message>
     <message>
         <source>{one} and {two} by turns make good {made:.2f} kn that way.</source>
-        <translation>{one} i {two} na przemian dają w tę stronę {made:.2f} w.</translation>
+        <translation>{one} i {two} na przemian dają w tę stronę {made:.2f} kn.</translation>
     </message>
     <message>
         <source>± beat</source>

@@ -6,6 +6,7 @@ import argparse
 from typing import TYPE_CHECKING, Any
 
 from seacruise.commands.common import number_between, parse_path, parse_time, say, whole_number_between
+from seacruise.errors import InputError
 from seacruise.text import parse_number
 
 if TYPE_CHECKING:
@@ -47,6 +48,7 @@ _OPTION_FIELDS = (
     "percent_at_night",
     "sea_state_percent",
     "beyond",
+    "currents",
 )
 
 
@@ -156,6 +158,13 @@ def add_sail_options(parser: argparse.ArgumentParser) -> None:
         action="store_false",
         default=None,
         help="no tacking up or gybing down the wind",
+    )
+    sail.add_argument(
+        "--no-current",
+        dest="currents",
+        action="store_false",
+        default=None,
+        help="do not reckon with the current, where the forecast has one",
     )
     sail.add_argument(
         "--max-wind",
@@ -320,6 +329,8 @@ def options_from(arguments: argparse.Namespace) -> Options:
     """Make the search options; what was not said is left to the preset."""
     from seacruise.passage import Options
 
+    if getattr(arguments, "current", None) is not None and arguments.currents is False:
+        raise InputError("--no-current leaves out what --current names; give one of the two.")
     said: dict[str, Any] = {name: getattr(arguments, name, None) for name in _OPTION_FIELDS}
     return Options(**{name: value for name, value in said.items() if value is not None})
 

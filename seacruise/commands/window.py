@@ -113,6 +113,9 @@ def choose_platform(environ: Any, *, picture_only: bool) -> None:
 def qt_trouble() -> str | None:
     """Say what Qt misses, and where to get it, before Qt aborts the process; ``None`` if nothing."""
     try:
+        from seacruise.desktop.thrift import import_qt_plainly
+
+        import_qt_plainly()
         import seacruise.desktop.app  # noqa: F401 - brings Qt, and with it the system's libraries
     except ImportError as error:
         match = re.search(r"(lib[\w.+-]+\.so[.\d]*): cannot open", str(error))

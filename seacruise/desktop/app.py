@@ -7,20 +7,19 @@ import signal
 import sys
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
-from logging.handlers import RotatingFileHandler
 from pathlib import Path
 from types import TracebackType
 from typing import Any, Final
 
-from PySide6.QtCore import QCoreApplication, QTimer
+from PySide6.QtCore import QCoreApplication, QEvent, QObject, QTimer, Signal
 from PySide6.QtGui import QFontMetrics
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QWidget
 
-from seacruise.desktop.exporting import save_image
 from seacruise.desktop.language import install
 from seacruise.desktop.memory import WindowMemory
 from seacruise.desktop.state import WindowState
-from seacruise.desktop.style import apply_style
+from seacruise.desktop.style import apply_style, begin_style, worn
+from seacruise.desktop.succession import Succession
 from seacruise.desktop.window import MainWindow
 from seacruise.errors import InputError
 from seacruise.settings import Settings
@@ -67,27 +66,68 @@ def open_window(
             "apt-get install fonts-dejavu-core.",
             reason="no-window",
         )
-    apply_style(app)
+    begin_style(app)
     settings = Settings.from_environment()
     with _logging(settings), _switching_fast():
         memory = WindowMemory(settings.data_dir) if screenshot is None else None
         install(app, memory)
         window = MainWindow(settings, memory=memory)
+        _dress(app, window)
         restored = memory is not None and memory.restore_geometry(window, window.splitter)
         if size is not None:
             window.resize(*size)
         elif not restored:
             _fit_to_screen(window)
         window.fill(prefill)
-        with _faults_shown(window), _interruptible(window):
+        succession = Succession(app, window)
+        with _faults_shown(succession), _interruptible(succession):
             window.show()
             if screenshot is None:
-                # After the first paint: nothing that is loaded is in its way.
-                QTimer.singleShot(0, window.load)
+                # Nothing that is loaded is in the way of the first painting.
+                painted = FirstPaint(window)
+                painted.done.connect(window.load)
                 if not prefill:
-                    QTimer.singleShot(0, window.habits.welcome)
+                    painted.done.connect(window.habits.welcome)
+                # Its place may be taken; nothing here may keep it alive then.
+                del window
                 return int(app.exec())
             return _take_picture(app, window, screenshot, compute="start" in prefill and "end" in prefill)
+
+
+def _dress(app: QApplication, window: MainWindow) -> None:
+    """Put the style sheet on a window that is made.
+
+    Put on before, it is applied to each widget anew with each widget that is put around it, which takes
+    longer than making them.
+    """
+    if worn(app) is None:
+        apply_style(app)
+    # Their heights come from what is in them, which may be of another height now.
+    window.pane.take_room()
+    QCoreApplication.sendEvent(window.statusBar(), QEvent(QEvent.Type.LayoutRequest))
+
+
+class FirstPaint(QObject):
+    """Tells once, by ``done()``, that a window has been painted, or was not to be seen for a second."""
+
+    done = Signal()
+    _PATIENCE_MS = 1000
+
+    def __init__(self, window: QWidget) -> None:
+        super().__init__(window)
+        self._timer = QTimer(self)
+        self._timer.setSingleShot(True)
+        self._timer.timeout.connect(self.done)
+        self._timer.timeout.connect(self.deleteLater)
+        self._timer.start(self._PATIENCE_MS)
+        window.installEventFilter(self)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Take note of the painting; what is in the window is painted before the event loop goes on."""
+        if event.type() == QEvent.Type.Paint:
+            watched.removeEventFilter(self)
+            self._timer.start(0)
+        return False
 
 
 def _fit_to_screen(window: MainWindow) -> None:
@@ -97,6 +137,8 @@ def _fit_to_screen(window: MainWindow) -> None:
 
 def _take_picture(app: QApplication, window: MainWindow, path: Path, *, compute: bool) -> int:
     """Compute, wait until chart and panels are complete, save, and leave."""
+    from seacruise.desktop.exporting import save_image
+
     ended: list[WindowState] = []
 
     def start() -> None:
@@ -126,19 +168,42 @@ def _take_picture(app: QApplication, window: MainWindow, path: Path, *, compute:
     return 0
 
 
+class _LogFile(logging.Handler):
+    """Opens the file of the log when there is something to write: most starts write nothing."""
+
+    def __init__(self, path: Path) -> None:
+        super().__init__()
+        self._path = path
+        self._writer: logging.Handler | None = None
+
+    def emit(self, record: logging.LogRecord) -> None:
+        """Write a record."""
+        if self._writer is None:
+            from logging.handlers import RotatingFileHandler
+
+            self._writer = RotatingFileHandler(
+                self._path, maxBytes=_LOG_BYTES, backupCount=1, encoding="utf-8", delay=True
+            )
+            self._writer.setFormatter(self.formatter)
+            # On a full disk there is no log; that is no fault of what was to be written, nor one to tell.
+            self._writer.handleError = lambda _record: None  # type: ignore[assignment, method-assign]
+        self._writer.handle(record)
+
+    def close(self) -> None:
+        """Close the file."""
+        if self._writer is not None:
+            with suppress(OSError):
+                self._writer.close()
+        super().close()
+
+
 @contextmanager
 def _logging(settings: Settings) -> Iterator[None]:
     """Keep what goes wrong in a file of the sailor's; without one where it cannot be written."""
     handler: logging.Handler = logging.NullHandler()
     with suppress(OSError):
         settings.data_dir.mkdir(parents=True, exist_ok=True)
-        handler = RotatingFileHandler(
-            settings.data_dir / "seacruise.log",
-            maxBytes=_LOG_BYTES,
-            backupCount=1,
-            encoding="utf-8",
-            delay=True,
-        )
+        handler = _LogFile(settings.data_dir / "seacruise.log")
     handler.setFormatter(logging.Formatter("%(asctime)s %(levelname)s %(name)s: %(message)s"))
     root = logging.getLogger("seacruise")
     root.addHandler(handler)
@@ -160,13 +225,13 @@ def _switching_fast() -> Iterator[None]:
 
 
 @contextmanager
-def _faults_shown(window: MainWindow) -> Iterator[None]:
+def _faults_shown(succession: Succession) -> Iterator[None]:
     """Show a mistake in a slot as one sentence, and log the rest; nothing ends the program."""
     before = sys.excepthook
 
     def hook(kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:
         log.error("A slot broke.", exc_info=(kind, error, trace))
-        window.show_fault(error)
+        succession.window.show_fault(error)
 
     sys.excepthook = hook
     try:
@@ -176,10 +241,10 @@ def _faults_shown(window: MainWindow) -> Iterator[None]:
 
 
 @contextmanager
-def _interruptible(window: MainWindow) -> Iterator[None]:
+def _interruptible(succession: Succession) -> Iterator[None]:
     """Close the window on Ctrl+C in the terminal: Python only hears it when some Python code runs."""
-    before = signal.signal(signal.SIGINT, lambda *_: window.close())
-    heartbeat = QTimer(window)
+    before = signal.signal(signal.SIGINT, lambda *_: succession.window.close())
+    heartbeat = QTimer(succession)
     heartbeat.timeout.connect(lambda: None)
     heartbeat.start(250)
     try:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import UTC, datetime
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
@@ -58,6 +59,7 @@ def load_catalogue(settings: Settings, wanted: str) -> Catalogue:
         yacht = polar.name
     except InputError as error:
         problems = (*problems, str(error))
+        yacht = DEFAULT_YACHT
     return Catalogue(load_ports(), yachts, yacht, problems)
 
 
@@ -131,7 +133,10 @@ class Background(QObject):
             name: JobRunner(name, self)
             for name in ("catalogue", "horizon", "quota", "layers", "polar", "warmup")
         }
+        self.found: dict[str, Any] = {}
         runners = self._runners
+        for name, runner in runners.items():
+            runner.finished.connect(partial(self._note, name))
         runners["catalogue"].finished.connect(lambda _, found: self.catalogue_loaded.emit(found))
         runners["catalogue"].failed.connect(lambda _, error: self.catalogue_failed.emit(error))
         runners["horizon"].finished.connect(lambda _, found: self.horizon_loaded.emit(found))
@@ -142,6 +147,37 @@ class Background(QObject):
         runners["polar"].finished.connect(lambda _, name: self.polar_added.emit(name))
         runners["polar"].failed.connect(lambda _, error: self.troubled.emit(error))
         runners["warmup"].finished.connect(lambda *_: self.warmed_up.emit())
+
+    def _note(self, name: str, _generation: int, found: Any) -> None:
+        self.found[name] = found
+
+    def load(self, yacht: str, forecast: tuple[str, ...], known: Mapping[str, Any]) -> None:
+        """Load what the window needs; what is known from another window is told at once.
+
+        Parameters
+        ----------
+        yacht, forecast
+            As the form has them.
+        known
+            `found` of that window's.
+        """
+        self.found.update(known)
+        if "catalogue" in known:
+            self.catalogue_loaded.emit(replace(known["catalogue"], yacht=yacht, problems=()))
+        else:
+            self.load_catalogue(yacht)
+        if "horizon" in known:
+            self.horizon_loaded.emit(known["horizon"])
+        else:
+            self.load_horizon(forecast)
+        if "layers" in known:
+            self.layers_loaded.emit(known["layers"])
+        else:
+            self.load_layers()
+        if "quota" in known:
+            self.quota_loaded.emit(known["quota"])
+        else:
+            self.load_quota()
 
     def load_catalogue(self, wanted: str) -> None:
         """Read ports and yachts."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from typing import Final
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QAccessible, QAccessibleEvent, QShowEvent
@@ -12,6 +13,8 @@ from seacruise.desktop.language import sentence
 from seacruise.desktop.messages import Message, WayOut, way_out_text
 from seacruise.desktop.style import scaled_font
 
+_FIRST_SENTENCE: Final = re.compile(r".+?[^\d\s][.!?](?=\s+[^\W\d_a-ząćęłńóśźż])", re.DOTALL)
+
 
 def text_label(text: str = "", name: str = "", parent: QWidget | None = None) -> QLabel:
     """Label that wraps and can be read out and copied."""
@@ -20,6 +23,12 @@ def text_label(text: str = "", name: str = "", parent: QWidget | None = None) ->
     label.setWordWrap(True)
     label.setTextFormat(Qt.TextFormat.PlainText)
     return label
+
+
+def first_sentence(text: str) -> str:
+    """Cut a text after its first sentence; the rest, mostly a reason, is told where there is room for it."""
+    first = _FIRST_SENTENCE.match(text)
+    return first[0] if first else text
 
 
 def breakable(text: str) -> str:
@@ -85,6 +94,11 @@ class Banner(QFrame):
                 label.setText(breakable(text))
         self._name()
         return True
+
+    def take_down(self) -> None:
+        """Vanish for good; its layout forgets it when it is freed."""
+        self.hide()
+        self.deleteLater()
 
     def _name(self) -> None:
         self.setAccessibleName(" ".join(_texts(self.message)))

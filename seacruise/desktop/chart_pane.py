@@ -5,6 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import QEvent, QObject, QSize, Qt
 from PySide6.QtWidgets import QLabel, QToolButton, QVBoxLayout, QWidget
 
+from seacruise.desktop.banner import first_sentence
 from seacruise.desktop.chart.view import ChartView
 from seacruise.desktop.language import sentence
 from seacruise.desktop.style import scaled_font, show_icon
@@ -52,7 +53,10 @@ class ChartPane(QWidget):
 
     def show_ribbon(self, text: str) -> None:
         """Say over the chart, and so in every picture of it, what must not be overlooked; or nothing."""
-        self.ribbon.setText(sentence(text))
+        whole = sentence(text)
+        # The rest, a reason mostly, stands beside the chart; over it, it would hide an end of the passage.
+        self.ribbon.setText(first_sentence(whole))
+        self.ribbon.setToolTip(whole)
         self.ribbon.setVisible(bool(text))
         self._place()
 

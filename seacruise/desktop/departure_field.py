@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from datetime import UTC, date, datetime, time, timedelta
+from typing import Final
 
 from PySide6.QtCore import QDate, QLocale, QPoint, QSize, Qt, QTime, Signal
+from PySide6.QtGui import QPalette, QTextCharFormat
 from PySide6.QtWidgets import (
     QCalendarWidget,
     QDateEdit,
@@ -36,6 +38,10 @@ __all__ = ["DepartureField", "format_moment", "to_date"]
 def to_date(day: QDate) -> date:
     """Python's date for Qt's."""
     return date(day.year(), day.month(), day.day())
+
+
+_AROUND_DAYS: Final = 43
+"""A page of the calendar has six weeks: so many days before and after the forecast may be seen."""
 
 
 class DepartureField(QWidget):
@@ -223,12 +229,26 @@ class DepartureField(QWidget):
 
     def open_calendar(self) -> None:
         """Open the calendar under the field."""
+        self._dress_days()
         self.calendar.setSelectedDate(self.date_edit.date())
         self.popup.adjustSize()
         below = self.date_edit.mapToGlobal(QPoint(0, self.date_edit.height() + 3))
         self.popup.move(below)
         self.popup.show()
         self.calendar.setFocus()
+
+    def _dress_days(self) -> None:
+        """Grey the days that cannot be chosen, and write weekends, red in Qt, as other days."""
+        palette, plain, out = self.calendar.palette(), QTextCharFormat(), QTextCharFormat()
+        plain.setForeground(palette.brush(QPalette.ColorGroup.Active, QPalette.ColorRole.Text))
+        out.setForeground(palette.brush(QPalette.ColorGroup.Disabled, QPalette.ColorRole.Text))
+        for weekday in (Qt.DayOfWeek.Saturday, Qt.DayOfWeek.Sunday):
+            self.calendar.setWeekdayTextFormat(weekday, plain)
+        self.calendar.setDateTextFormat(QDate(), QTextCharFormat())
+        first, last = self.calendar.minimumDate(), self.calendar.maximumDate()
+        for days in range(1, _AROUND_DAYS):
+            self.calendar.setDateTextFormat(first.addDays(-days), out)
+            self.calendar.setDateTextFormat(last.addDays(days), out)
 
     def _picked_in_calendar(self, day: QDate) -> None:
         self.popup.hide()

@@ -68,7 +68,7 @@ def find_time_lines(answer: Answer, *, settings: Settings, job: Job) -> list[Tim
         answer.wind,
         slice_s=COARSE_SLICE_S,
         since=departure,
-        current=answer.wind.current,
+        current=answer.wind.current if question.options.currents else None,
         limits=handling.limits,
     )
     asked = routing.Outing(

@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QBuffer, QByteArray, QIODevice, QObject, Qt, Signal
 from PySide6.QtGui import QImage, QImageWriter
-from PySide6.QtWidgets import QFileDialog, QWidget
+from PySide6.QtWidgets import QWidget
 
 from seacruise.atomic import write_atomically
 from seacruise.desktop.jobs import JobRunner
-from seacruise.desktop.printed import paper_words
 
 if TYPE_CHECKING:
+    from seacruise.export.beside import Beside
     from seacruise.passage import Passage
     from seacruise.weather.wind import Wind
 
@@ -46,8 +46,10 @@ class Exporter(QObject):
         self._runner.finished.connect(lambda _, path: self.saved.emit(path))
         self._runner.failed.connect(lambda _, error: self.failed.emit(error))
 
-    def ask(self, form: str, passage: Passage, wind: Wind) -> None:
+    def ask(self, form: str, passage: Passage, wind: Wind, beside: Beside) -> None:
         """Save the passage: ``gpx``, ``csv``, ``png``, ``pdf``, ``kml`` or ``geojson``.
+
+        What lies beside it on the chart is in the picture only: all others are of the passage that is sailed.
 
         The picture and the passage plan are not the screen, but sheets with title, times and sources to hand
         around. The plan speaks the window's language; what programs read stays as it is everywhere.
@@ -65,9 +67,11 @@ class Exporter(QObject):
             from seacruise.export import chart, csvform, geojson, gpx, kml, pdf
 
             if form == "png":
-                chart.write_chart(passage, path, wind=wind)
+                chart.write_chart(passage, path, wind=wind, beside=beside)
                 return
             if form == "pdf":
+                from seacruise.desktop.printed import paper_words
+
                 pdf.write_pdf(passage, path, wind=wind, words=paper_words())
                 return
             writers = {
@@ -90,6 +94,8 @@ class Exporter(QObject):
         self._runner.run_job(work)
 
     def _ask(self, name: str, types: str, write: Callable[[Path], None]) -> None:
+        from PySide6.QtWidgets import QFileDialog
+
         dialog = QFileDialog(self._window, self.tr("Save the passage"), name, types)
         dialog.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)
         dialog.setDefaultSuffix(Path(name).suffix[1:])

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from datetime import UTC, datetime
+from functools import partial
 from typing import TYPE_CHECKING, Any, Final
 
 from PySide6.QtCore import QSize, Qt, Signal
@@ -27,14 +28,14 @@ from seacruise.desktop.forecast_box import ForecastBox
 from seacruise.desktop.number_box import WheelGuard
 from seacruise.desktop.options_bar import OptionsBar
 from seacruise.desktop.options_model import OptionsModel
-from seacruise.desktop.pages.reach_model import Outset
 from seacruise.desktop.port_field import PortField
 from seacruise.desktop.style import scaled_font, show_icon
 from seacruise.errors import InputError
-from seacruise.passage import Options
+from seacruise.model import Options
 from seacruise.ports import Port
 
 if TYPE_CHECKING:
+    from seacruise.desktop.pages.reach_model import Outset
     from seacruise.yacht.polar import Polar
 
 _LIVE: Final = frozenset({"auto", "stormglass", "open-meteo", "open-meteo-ensemble", "metno", "practice"})
@@ -89,6 +90,7 @@ class PassageForm(QFrame):
         self.yacht_box.activated.connect(self._yacht_picked)
         self.yacht_box.activated.connect(self.sailing_changed)
         self.sailing.changed.connect(self.sailing_changed)
+        self.forecast_changed.connect(partial(self.sailing.learn_current, None))
         self._wheel.guard(
             self.yacht_box, self.forecast_box, self.departure.date_edit, self.departure.time_edit
         )
@@ -185,6 +187,8 @@ class PassageForm(QFrame):
         InputError
             What is wrong, and in which field; the field has the focus then.
         """
+        from seacruise.desktop.pages.reach_model import Outset
+
         return Outset(
             start=_port_in(self.start_field),
             departure=self.departure.require_moment(),

@@ -88,9 +88,9 @@ class Guide(QFrame):
         """Number of the card shown, from 0."""
         return self._at
 
-    def begin(self) -> None:
-        """Show the first card and give it the keyboard."""
-        self.show_step(0)
+    def begin(self, step: int = 0) -> None:
+        """Show a card, the first one if none is said, and give it the keyboard."""
+        self.show_step(step)
         self.next_button.setFocus()
 
     def show_step(self, number: int) -> None:

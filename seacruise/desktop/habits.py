@@ -9,14 +9,15 @@ from typing import TYPE_CHECKING, Any
 from PySide6.QtCore import QObject
 from PySide6.QtGui import QAction, QKeySequence
 
-from seacruise.desktop.guide import Guide, Step
 from seacruise.desktop.narrow import Columns
+from seacruise.desktop.places import Places
 from seacruise.desktop.preferences import LanguageMenu, UnitsMenu
 from seacruise.desktop.recent import RecentPassages, via_of
 from seacruise.desktop.state import Phase, WindowState
 from seacruise.desktop.units_choice import units_choice
 
 if TYPE_CHECKING:
+    from seacruise.desktop.guide import Guide, Step
     from seacruise.desktop.memory import WindowMemory
     from seacruise.desktop.window import MainWindow
 
@@ -35,12 +36,12 @@ class Habits(QObject):
     def __init__(self, window: MainWindow, memory: WindowMemory | None) -> None:
         super().__init__(window)
         self._window, self._memory = window, memory
+        self.places = Places(window, memory)
         self._guide: Guide | None = None
         menus = window.menus
         self.recent = RecentPassages(menus.recent, self)
         self.units = UnitsMenu(menus.units, self)
         self.language = LanguageMenu(menus.language, memory, self)
-        self.language.chosen.connect(self._language_chosen)
         self.columns = Columns(window, menus.go_to, window.form, window.side)
         guide = QAction(self.tr("&Guide in three steps"), self)
         guide.setShortcut(QKeySequence("Shift+F1"))
@@ -50,9 +51,21 @@ class Habits(QObject):
         window.settled.connect(self._settled)
         self.columns.lowered.connect(self._fold_pane)
         units_choice().changed.connect(self._units_changed)
+        self._watch_places()
         self._restore()
 
     # --- memory -------------------------------------------------------------------------------------
+
+    @property
+    def memory(self) -> WindowMemory | None:
+        """What is remembered from one start to the next."""
+        return self._memory
+
+    def _watch_places(self) -> None:
+        window, places = self._window, self.places
+        window.desk.made.connect(lambda dialog, name, tables: places.watch(dialog, name, *tables))
+        window.form.options_bar.made.connect(lambda dialog: places.watch(dialog, "options"))
+        window.planning.made.connect(lambda page, name: places.watch_table(page.table, name))
 
     def _restore(self) -> None:
         memory, window = self._memory, self._window
@@ -77,12 +90,9 @@ class Habits(QObject):
         memory.keep("units", units_choice().contents())
         memory.keep("recent", self.recent.contents())
         memory.keep("live", {"on": window.menus.live.isChecked()})
+        self.places.keep()
         memory.keep_geometry(window, window.splitter)
         memory.flush()
-
-    def _language_chosen(self) -> None:
-        text = self.tr("The language changes when SeaCruise is started again.")
-        self._window.status.say(text, 8.0)
 
     def _units_changed(self) -> None:
         view = self._window.chart.view
@@ -136,13 +146,15 @@ class Habits(QObject):
         if self._memory is not None and not self._memory.recall("guide").get("seen"):
             self.show_guide()
 
-    def show_guide(self) -> None:
-        """Show the guide from its beginning."""
+    def show_guide(self, step: int = 0) -> None:
+        """Show the guide, from its beginning or from a later step on."""
         if self._guide is None:
+            from seacruise.desktop.guide import Guide
+
             self._guide = Guide(self._steps(), self._window.chart)
             self._guide.closed.connect(self._guide_read)
         self.columns.show_column("question")
-        self._guide.begin()
+        self._guide.begin(step)
 
     @property
     def guide(self) -> Guide | None:
@@ -154,6 +166,8 @@ class Habits(QObject):
             self._memory.keep("guide", {"seen": True})
 
     def _steps(self) -> tuple[Step, ...]:
+        from seacruise.desktop.guide import Step
+
         form = self._window.form
         return (
             Step(

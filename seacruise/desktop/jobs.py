@@ -14,7 +14,7 @@ import time
 from collections.abc import Callable
 from typing import Any, Final
 
-from PySide6.QtCore import QCoreApplication, QObject, QTimer, Signal
+from PySide6.QtCore import QCoreApplication, QEvent, QObject, QTimer, Signal
 
 from seacruise.desktop.thrift import give_back, share_arenas
 from seacruise.errors import CancelledError, SeaCruiseError
@@ -24,8 +24,8 @@ log = logging.getLogger(__name__)
 
 Work = Callable[[Job], Any]
 
-_OUTLIVING: Final[list[QObject]] = []
-"""Bridges whose workers had not ended when the window closed; freed by the end of the process."""
+_OUTLIVING: Final[list[JobRunner]] = []
+"""Bridges whose workers had not ended when their window closed; freed when they have, or with the process."""
 
 
 class _Mailbox:
@@ -34,7 +34,7 @@ class _Mailbox:
     def __init__(self, generation: int, wake: Callable[[int, str, object], None]) -> None:
         self.generation = generation
         self._wake = wake
-        self._lock = threading.Lock()
+        self._lock, self._wake_lock = threading.Lock(), threading.Lock()
         self._progress: list[tuple[str, float | None, str]] = []
 
     def report(self, stage: str, fraction: float | None, message: str) -> None:
@@ -55,10 +55,16 @@ class _Mailbox:
 
     def post(self, kind: str, value: object) -> None:
         """Hand something to the window's thread; a window that is gone needs nothing."""
-        try:
-            self._wake(self.generation, kind, value)
-        except RuntimeError:
-            log.debug("The window had closed before %s arrived.", kind)
+        with self._wake_lock:
+            try:
+                self._wake(self.generation, kind, value)
+            except RuntimeError:
+                log.debug("The window had closed before %s arrived.", kind)
+
+    def turn_to(self, wake: Callable[[int, str, object], None]) -> None:
+        """Wake somebody else from now on."""
+        with self._wake_lock:
+            self._wake = wake
 
 
 class JobRunner(QObject):
@@ -80,7 +86,8 @@ class JobRunner(QObject):
         self._generation = 0
         self._running: tuple[Job, _Mailbox] | None = None
         self._threads: list[threading.Thread] = []
-        self._arrived.connect(self._receive)
+        self._heir: JobRunner | None = None
+        self._arrived.connect(self.receive)
 
     @property
     def is_running(self) -> bool:
@@ -91,7 +98,7 @@ class JobRunner(QObject):
         """Start a job on a thread of its own; returns its generation."""
         self.cancel()
         self._generation += 1
-        mailbox = _Mailbox(self._generation, self._arrived.emit)
+        mailbox = _Mailbox(self._generation, self.wake)
         job = Job(report=mailbox.report)
         self._running = (job, mailbox)
         # A daemon: a service that does not answer must not keep a closed program alive.
@@ -116,12 +123,43 @@ class JobRunner(QObject):
         deadline = time.monotonic() + patience_s
         for thread in self._threads:
             thread.join(max(0.0, deadline - time.monotonic()))
-        if any(thread.is_alive() for thread in self._threads):
+        if self.has_workers:
             log.info("%s: a worker had not ended when the window closed.", self._name)
             self.setParent(None)
             _OUTLIVING.append(self)
 
-    def _receive(self, generation: int, kind: str, value: object) -> None:
+    def hand_over(self, heir: JobRunner) -> None:
+        """Let another runner of this thread await what is awaited here; nothing that arrives is lost."""
+        if self._running is None:
+            return
+        job, mailbox = self._running
+        heir.inherit(job, mailbox, self._threads)
+        mailbox.turn_to(heir.wake)
+        self._heir, self._running, self._threads = heir, None, []
+        # What had been posted to this one before is passed on while it lives.
+        QCoreApplication.sendPostedEvents(self, QEvent.Type.MetaCall.value)
+
+    def inherit(self, job: Job, mailbox: _Mailbox, threads: list[threading.Thread]) -> None:
+        """Await a job that another runner has begun, by the number it has."""
+        self.cancel()
+        self._generation, self._running = mailbox.generation, (job, mailbox)
+        self._threads = [*self._threads, *threads]
+
+    @property
+    def has_workers(self) -> bool:
+        """Whether a thread still lives."""
+        return any(thread.is_alive() for thread in self._threads)
+
+    @property
+    def wake(self) -> Callable[[int, str, object], None]:
+        """What a worker calls from its own thread."""
+        return self._arrived.emit
+
+    def receive(self, generation: int, kind: str, value: object) -> None:
+        """Take what a worker has posted, on the thread of this runner."""
+        if self._heir is not None:
+            self._heir.receive(generation, kind, value)
+            return
         if self._running is None or generation != self._running[1].generation:
             return
         if kind == "progress":
@@ -135,16 +173,50 @@ class JobRunner(QObject):
             self.failed.emit(generation, value)
 
 
+class _Workshop:
+    """Counts the jobs that are at work, also those whose result nobody awaits any more."""
+
+    def __init__(self) -> None:
+        self._lock = threading.Lock()
+        self.at_work = 0
+
+    def __enter__(self) -> None:
+        with self._lock:
+            self.at_work += 1
+
+    def __exit__(self, *_: object) -> None:
+        with self._lock:
+            self.at_work -= 1
+
+
+_WORKSHOP: Final = _Workshop()
+
+
 def _run(work: Work, job: Job, mailbox: _Mailbox) -> None:
+    with _WORKSHOP:
+        _do(work, job, mailbox)
+
+
+def _do(work: Work, job: Job, mailbox: _Mailbox) -> None:
     try:
         result = work(job)
     except SeaCruiseError as error:
         mailbox.post("error", error)
     except Exception as error:
+        if job.cancel.is_set():
+            # Nobody waits for it, and a process that ends takes from its workers what they need.
+            log.debug("A calculation that was cancelled broke.", exc_info=True)
+            return
         log.exception("A calculation broke.")
         mailbox.post("error", unexpected(error))
     else:
         mailbox.post("result", result)
+
+
+def are_workers_left() -> bool:
+    """Whether a worker of a window that is gone has not ended; bridges without one are freed."""
+    _OUTLIVING[:] = [runner for runner in _OUTLIVING if runner.has_workers]
+    return bool(_OUTLIVING)
 
 
 def unexpected(error: BaseException) -> SeaCruiseError:
@@ -167,7 +239,7 @@ class GarbageKeeper(QObject):
     Parameters
     ----------
     is_busy
-        Tells whether a calculation runs, which is no time for a full collection.
+        Tells whether a calculation runs that is awaited, which is no time for a full collection.
     """
 
     _INTERVAL_MS = 100
@@ -180,6 +252,7 @@ class GarbageKeeper(QObject):
         self._worked = False
         self._calm = 0
         self._ticks = 0
+        self._giving: threading.Thread | None = None
         self._timer = QTimer(self)
         self._timer.setInterval(self._INTERVAL_MS)
         self._timer.timeout.connect(self._tick)
@@ -195,6 +268,19 @@ class GarbageKeeper(QObject):
         """Regard everything that lives now as permanent: modules, compiled kernels, the window itself."""
         gc.freeze()
 
+    def renew(self) -> None:
+        """Collect everything that nobody needs any more, and regard what is left as permanent."""
+        gc.disable()
+        gc.unfreeze()
+        gc.collect(2)
+        self.settle()
+
+    @property
+    def is_at_rest(self) -> bool:
+        """Whether nothing has been computed since freed memory was given back."""
+        given = self._giving is None or not self._giving.is_alive()
+        return given and not self._worked and self._calm > self._CALM
+
     def stop(self) -> None:
         """Give collection back to Python."""
         self._timer.stop()
@@ -203,7 +289,7 @@ class GarbageKeeper(QObject):
 
     def _tick(self) -> None:
         self._ticks += 1
-        busy = self._is_busy()
+        busy = self._is_busy() or _WORKSHOP.at_work > 0
         self._worked |= busy
         self._calm = 0 if busy else self._calm + 1
         after_work = self._worked and self._calm == self._CALM
@@ -213,4 +299,5 @@ class GarbageKeeper(QObject):
         gc.collect(2)
         if self._worked:
             self._worked = False
-            threading.Thread(target=give_back, name="thrift", daemon=True).start()
+            self._giving = threading.Thread(target=give_back, name="thrift", daemon=True)
+            self._giving.start()

@@ -17,7 +17,7 @@ from functools import lru_cache
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any, Final, NamedTuple
 
-from PySide6.QtCore import QCoreApplication, QLibraryInfo, QLocale, QTranslator
+from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, QLibraryInfo, QLocale, QTranslator
 
 from seacruise.errors import InputError
 from seacruise.resources import resource_path
@@ -49,6 +49,16 @@ _LETTERS: Final = re.compile(r"[^\W\d_]")
 _FEW: Final = 8
 _SHORT: Final = 40
 
+_OF_THE_SYSTEM: Final = (
+    QT_TRANSLATE_NOOP("system", "No space left on device"),
+    QT_TRANSLATE_NOOP("system", "Permission denied"),
+    QT_TRANSLATE_NOOP("system", "Read-only file system"),
+    QT_TRANSLATE_NOOP("system", "No such file or directory"),
+    QT_TRANSLATE_NOOP("system", "Not a directory"),
+    QT_TRANSLATE_NOOP("system", "File name too long"),
+)
+"""What the system says of a file, within sentences of the core; some would be taken for templates of it."""
+
 _translators: list[QTranslator] = []
 _current = [ENGLISH]
 
@@ -69,7 +79,7 @@ def chosen(memory: WindowMemory | None) -> str:
 
 
 def choose(memory: WindowMemory, code: str) -> None:
-    """Keep the sailor's choice; it takes effect when the program starts again."""
+    """Keep the sailor's choice; `seacruise.desktop.succession` lets it take effect."""
     memory.keep(_KEPT_AS, {"code": code})
 
 
@@ -149,7 +159,19 @@ def _known() -> Sentences:
     except (InputError, OSError, ValueError):
         log.warning("The list of the core's sentences cannot be read; they stay in English.")
         templates = []
-    return Sentences({text: QCoreApplication.translate("core", text) for text in templates})
+    names = [str(name) for name in _OF_THE_SYSTEM]
+    of_the_system = dict(zip(names, map(_system, names), strict=True))
+    in_a_sentence = {_lowered(text): _lowered(target) for text, target in of_the_system.items()}
+    said = {text: QCoreApplication.translate("core", text) for text in templates}
+    return Sentences(of_the_system | in_a_sentence | said)
+
+
+def _system(text: str) -> str:
+    return QCoreApplication.translate("system", text)
+
+
+def _lowered(text: str) -> str:
+    return text[:1].lower() + text[1:]
 
 
 class _Shape:

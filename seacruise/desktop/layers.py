@@ -6,30 +6,35 @@ from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QObject, Signal
 
-from seacruise.desktop.alternatives import OtherWays
+from seacruise.desktop.alternatives import OtherWays, line_of
 from seacruise.desktop.chart.palette import PALETTES
 from seacruise.desktop.chart.schemes import SCHEMES
 from seacruise.desktop.chart.view import ChartView
 from seacruise.desktop.compute import Answer, Planner, plan_passage
 from seacruise.desktop.equal_time import find_time_lines
 from seacruise.desktop.jobs import JobRunner
+from seacruise.desktop.members import ForecastMembers
 from seacruise.desktop.menus import Menus
 from seacruise.progress import Job
 from seacruise.settings import Settings
 
 if TYPE_CHECKING:
     from seacruise.desktop.equal_time import TimeLine
+    from seacruise.export.beside import Beside
 
 
 class Layers(QObject):
     """Keeps chart and switches in step.
 
     Signals: ``light_changed(name)``, one of ``day``, ``dusk`` and ``night``; ``failed(error)`` when lines of
-    equal time could not be found.
+    equal time could not be found; ``members_told(text)`` what the members of an ensemble say of the passage,
+    ``noted(text)`` what the line below should say for a while.
     """
 
     light_changed = Signal(str)
     failed = Signal(object)
+    members_told = Signal(str)
+    noted = Signal(str)
 
     def __init__(
         self,
@@ -50,6 +55,10 @@ class Layers(QObject):
         self.jobs.failed.connect(lambda _, error: self.failed.emit(error))
         self.ways = OtherWays(settings, planner, view, self)
         self.ways.failed.connect(self.failed)
+        self.ways.noted.connect(self.noted)
+        self.ways.list_in(menus.ways)
+        self._planner = planner
+        self._members: ForecastMembers | None = None
         self._show_ground()
 
     def show_answer(self, answer: Answer | None) -> None:
@@ -84,10 +93,11 @@ class Layers(QObject):
             view.set_palette(PALETTES[light])
             self.light_changed.emit(light)
         edges = self._answer.passage.lattice_edges if self._answer is not None else None
-        view.coast.show_lattice(edges if self.is_on("lattice") else None)
+        view.coast.show_lattice(edges() if edges is not None and self.is_on("lattice") else None)
         view.refresh_coast()
         self._demand_lines()
-        self.ways.show(self._answer, on=self.is_on("others"))
+        self.ways.show(self._answer, islands=self.is_on("others"), turns=self.is_on("turns"))
+        self._show_members()
         view.viewport().update()
 
     def _show_ground(self) -> None:
@@ -98,6 +108,23 @@ class Layers(QObject):
         if (view.legend.field_shown, view.legend.depths_shown) != (field, depths):
             view.legend.field_shown, view.legend.depths_shown = field, depths
             view.fit_again()
+
+    def _show_members(self) -> None:
+        """Show the members of a forecast that has some; of others the switch says that they have none."""
+        answer, action = self._answer, self._menus.layers["members"]
+        count = len(answer.wind.members) if answer is not None else 0
+        self._menus.offer_members(answer is None or count > 0)
+        on = action.isChecked() and count > 0
+        if self._members is None and on:
+            self._members = ForecastMembers(self._settings, self._planner, self._view, self)
+            self._members.failed.connect(self.failed)
+            self._members.told.connect(self.members_told)
+        if self._members is not None:
+            self._members.show(answer, on=on)
+        legend = self._view.legend
+        if legend.members != (count if on else 0):
+            legend.members = count if on else 0
+            self._view.fit_again()
 
     def _demand_lines(self) -> None:
         """Find the lines of the passage shown, unless they are there; none while it follows a hand."""
@@ -120,10 +147,20 @@ class Layers(QObject):
         self._view.isochrones.show_lines(lines)
         self._view.viewport().update()
 
+    def beside(self) -> Beside:
+        """Give what lies beside the passage on the chart, for a picture of it."""
+        from seacruise.export.beside import Beside
+
+        bundle = self._view.members.bundle
+        lines = () if bundle is None else tuple(line_of(passage) for passage in bundle.passages)
+        return Beside(lines, tuple((way.plain, way.line) for way in self._view.others.ways))
+
     def shut_down(self) -> None:
         """End the workers."""
         self.jobs.shut_down()
-        self.ways.jobs.shut_down()
+        self.ways.shut_down()
+        if self._members is not None:
+            self._members.shut_down()
 
     # --- memory -------------------------------------------------------------------------------------
 

@@ -16,7 +16,7 @@ from PySide6.QtCore import (
     Qt,
 )
 from PySide6.QtGui import QColor, QResizeEvent
-from PySide6.QtWidgets import QHeaderView, QWidget
+from PySide6.QtWidgets import QHeaderView, QStyledItemDelegate, QStyleOptionViewItem, QWidget
 
 from seacruise.desktop.chart.palette import WIND_COLOURS, wind_class
 from seacruise.desktop.language import fill
@@ -33,7 +33,7 @@ from seacruise.desktop.units_choice import (
 )
 from seacruise.export.textform import format_course, to_minute
 from seacruise.geodesy import format_position
-from seacruise.narrative import POINT_LIMITS_DEG
+from seacruise.phrases import POINT_LIMITS_DEG
 
 if TYPE_CHECKING:
     from seacruise.passage import Passage, Waypoint
@@ -139,6 +139,9 @@ def columns(moment: datetime | None = None) -> tuple[Column, ...]:
 _PAD_PX: Final = 16
 _ICON_PX: Final = 17
 
+_AFTER_FIGURES: Final = frozenset({"sail", "point"})
+_WITH_ICON: Final = frozenset({"tws", "tack"}) | _AFTER_FIGURES
+
 _TEXTS: Final = frozenset({"time", "position", "sail", "point", "tack"})
 """Columns that are read from the left; the others are figures."""
 
@@ -222,6 +225,9 @@ class LegsModel(QAbstractTableModel):
     def _colour(self, key: str, waypoint: Waypoint) -> QColor | None:
         if key == "tws" and waypoint.tws_kn is not None:
             return WIND_COLOURS[wind_class(waypoint.tws_kn)].darker(200 if self._light == "night" else 100)
+        if key in _AFTER_FIGURES:
+            # Invisible: room between figures at the right of their column and words at the left of theirs.
+            return QColor(Qt.GlobalColor.transparent)
         if key == "tack" and waypoint.tack in {"port", "starboard"}:
             return QColor(tinted(PORT_TACK if waypoint.tack == "port" else STARBOARD_TACK, self._light))
         return None
@@ -244,6 +250,15 @@ class LegsModel(QAbstractTableModel):
         return _LEFT if key in _TEXTS else _RIGHT
 
 
+class _ColourAfter(QStyledItemDelegate):
+    """Puts a colour behind its figure; before it, it would seem to belong to the column before."""
+
+    def initStyleOption(self, option: QStyleOptionViewItem, index: Index) -> None:
+        """Turn the sides."""
+        super().initStyleOption(option, index)
+        option.decorationPosition = QStyleOptionViewItem.Position.Right
+
+
 class LegsTable(LinkedTable):
     """The table; ``row_chosen(number)`` when the sailor chooses another leg."""
 
@@ -253,6 +268,8 @@ class LegsTable(LinkedTable):
         self.legs = model
         self.setAccessibleName(self.tr("Legs of the passage"))
         self.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
+        self._colour_after = _ColourAfter(self)
+        self.setItemDelegateForColumn(model.column("tws"), self._colour_after)
         self.legs.modelReset.connect(self._fit_columns)
         self._fit_columns()
 
@@ -273,7 +290,7 @@ class LegsTable(LinkedTable):
             key = model.key(column)
             head = str(model.headerData(column, Qt.Orientation.Horizontal))
             longest = max(metrics.horizontalAdvance(text) for text in (head, *model.samples(key)))
-            widths[column] = longest + (_PAD_PX + _ICON_PX if key in {"tws", "tack"} else _PAD_PX)
+            widths[column] = longest + _PAD_PX + (_ICON_PX if key in _WITH_ICON else 0)
         sail = model.column("sail")
         self.setColumnHidden(sail, not model.has_sails)
         if not model.has_sails:

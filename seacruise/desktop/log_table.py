@@ -5,7 +5,7 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections.abc import Sequence
 from datetime import datetime
-from typing import Any, Final
+from typing import TYPE_CHECKING, Any, Final
 
 from PySide6.QtCore import QAbstractTableModel, QCoreApplication, QModelIndex, QPersistentModelIndex, Qt
 from PySide6.QtWidgets import QHeaderView, QWidget
@@ -14,7 +14,9 @@ from seacruise.desktop.linked_table import LinkedTable
 from seacruise.desktop.log_words import entry_text, entry_time
 from seacruise.desktop.units_choice import units_choice, zone_text
 from seacruise.geodesy import format_position
-from seacruise.narrative import Entry
+
+if TYPE_CHECKING:
+    from seacruise.narrative import Entry
 
 Index = QModelIndex | QPersistentModelIndex
 

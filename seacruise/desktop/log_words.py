@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 from datetime import datetime
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, QDate, QLocale
 
 from seacruise.desktop.units_choice import clock_text, distance_text, height_text, in_zone, wind_text
 from seacruise.export.logform import say, show_plain
 from seacruise.export.textform import to_minute
-from seacruise.narrative import Amount, Entry, Phrase
+from seacruise.phrases import Amount, Phrase
+
+if TYPE_CHECKING:
+    from seacruise.narrative import Entry
 
 SENTENCES: Final = (
     QT_TRANSLATE_NOOP("narrative", "Waits {hours} in {place}, until what is not allowed has passed."),

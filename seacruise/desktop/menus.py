@@ -50,7 +50,7 @@ class Menus(QObject):
         Whether changes are sailed at once.
     layers
         Switches of the chart's layers, of ``measure`` and of the table ``legs``.
-    passage, help, recent, units, language, go_to
+    passage, help, recent, units, language, go_to, ways
         Menus that others add their entries to.
     """
 
@@ -80,6 +80,7 @@ class Menus(QObject):
         _action(file_menu, self.tr("&Quit"), commands.quit, "Ctrl+Q")
         edit_menu.addActions([StepAction(undo, self, back=True), StepAction(undo, self, back=False)])
         self.layers = self._layers(view_menu, commands.show_layers)
+        view_menu.setToolTipsVisible(True)
         self._groups = {
             "scheme": self._schemes(view_menu.addMenu(self.tr("&Colour the route by")), commands),
             "light": self._lights(view_menu.addMenu(self.tr("Li&ght")), commands),
@@ -98,6 +99,7 @@ class Menus(QObject):
         )
         _action(passage_menu, self.tr("&Swap start and end"), commands.swap, "Ctrl+R")
         _action(passage_menu, self.tr("&How she is sailed…"), commands.options, "Ctrl+Shift+O")
+        self.ways = passage_menu.addMenu(self.tr("Sail another wa&y"))
         _action(help_menu, self.tr("&About SeaCruise"), commands.about, "F1")
 
     def _layers(self, menu: QMenu, show: Command) -> dict[str, QAction]:
@@ -107,6 +109,9 @@ class Menus(QObject):
             "depths": _switch(menu, self.tr("&Depth tint"), show, "Ctrl+Shift+D", on=True),
             "isochrones": _switch(menu, self.tr("Lines of e&qual time"), show, "Ctrl+Shift+I", on=False),
             "others": _switch(menu, self.tr("Othe&r ways"), show, "Ctrl+Shift+A", on=False),
+            "turns": _switch(menu, self.tr("Fewer &turns"), show, "Ctrl+Shift+B", on=False),
+            # Who chooses a forecast with members has asked for them; of any other they cost nothing.
+            "members": _switch(menu, self.tr("Members of t&he forecast"), show, "Ctrl+Shift+E", on=True),
             "nights": _switch(menu, self.tr("Day and &night"), show, "Ctrl+Shift+N", on=True),
             "zones": _switch(menu, self.tr("&Zones to keep out of"), show, "Ctrl+Shift+X", on=True),
             "ports": _switch(menu, self.tr("&Ports"), show, "Ctrl+Shift+P", on=True),
@@ -133,6 +138,17 @@ class Menus(QObject):
         for number, action in enumerate(group.actions(), start=1):
             action.setShortcut(QKeySequence(f"Ctrl+{number}"))
         return group
+
+    def offer_members(self, on: bool) -> None:
+        """Let members of the forecast be switched on, or say why they cannot."""
+        action = self.layers["members"]
+        action.setEnabled(on)
+        action.setText(
+            self.tr("Members of t&he forecast") if on else self.tr("Members of t&he forecast (it has none)")
+        )
+        hint = "" if on else self.tr("Choose Open-Meteo's ensemble, or a file with members, as the forecast.")
+        action.setToolTip(hint)
+        action.setStatusTip(hint)
 
     def chosen(self, name: str) -> str:
         """Tell what is chosen of the ``"scheme"`` or the ``"light"``."""

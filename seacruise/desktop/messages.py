@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from datetime import datetime
 from enum import Enum
@@ -9,9 +10,11 @@ from typing import TYPE_CHECKING, Final, Literal
 
 from PySide6.QtCore import QCoreApplication
 
+from seacruise.desktop.state import Phase
 from seacruise.errors import NoPassageError
 
 if TYPE_CHECKING:
+    from seacruise.desktop.state import WindowState
     from seacruise.errors import SeaCruiseError
     from seacruise.passage import Passage
     from seacruise.weather.wind import Forecast
@@ -202,6 +205,28 @@ def message_for(error: SeaCruiseError) -> Message:
         ways = [way for way in ways if way is not WayOut.SHOW_PLACE]
     first, second, *_ = [*ways, WayOut.NOTHING, WayOut.NOTHING]
     return Message("error", title, str(error), advice, first, second)
+
+
+def message_of(state: WindowState, *, holds: bool) -> Message | None:
+    """Message for what the window is doing; ``holds`` while a calculation waits for what is being loaded."""
+    if holds:
+        return Message(
+            "info",
+            QCoreApplication.translate("MainWindow", "Loading ports, yachts and the forecast…"),
+            QCoreApplication.translate("MainWindow", "The passage is calculated as soon as they are there."),
+        )
+    if state.phase is Phase.FAILED and state.error is not None:
+        return message_for(state.error)
+    if state.phase is Phase.CANCELLED:
+        nothing = QCoreApplication.translate("MainWindow", "Nothing was changed.")
+        return Message("info", QCoreApplication.translate("MainWindow", "Cancelled"), nothing)
+    return None
+
+
+def message_for_polars(problems: Sequence[str]) -> Message:
+    """Message for polar files that cannot be used."""
+    title = QCoreApplication.translate("MainWindow", "Some polars cannot be used")
+    return Message("warning", title, "\n".join(problems))
 
 
 def _cause(error: SeaCruiseError) -> str:

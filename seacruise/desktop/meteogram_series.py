@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from seacruise.along import Weather, weather_along
 from seacruise.desktop.daylight import Light, light_along, spans
 
 if TYPE_CHECKING:
+    from seacruise.along import Weather
     from seacruise.passage import Passage
     from seacruise.weather.wind import Wind
 
@@ -112,6 +112,8 @@ class Series:
 
 def series_of(passage: Passage, wind: Wind | None) -> Series:
     """Collect what is drawn of a passage in a wind; about a millisecond."""
+    from seacruise.along import weather_along
+
     track = passage.track
     starboard = (track.twd_deg - track.course_deg) % 360.0 < 180.0
     tack = np.where(track.motor, ENGINE, np.where(starboard, STARBOARD, PORT))

@@ -72,6 +72,11 @@ class Columns(QObject):
         return self._window.width() < columns + CHART_PX
 
     @property
+    def shown(self) -> str:
+        """The column that was wanted last, ``"question"`` or ``"answer"``."""
+        return self._shown
+
+    @property
     def _other(self) -> str:
         return "answer" if self._shown == "question" else "question"
 

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QGridLayout, QLabel, QPushButton, QVBoxLayout, QWidget
 
 from seacruise.desktop.banner import text_label
-from seacruise.desktop.options_dialog import Number, OptionsDialog, number_box
+from seacruise.desktop.options_dialog import Number, OptionsDialog, most_wind, motor_below, number_box
 from seacruise.desktop.options_model import OptionsModel
 from seacruise.desktop.units_choice import units_choice
 
@@ -17,7 +18,11 @@ class OptionsBar(QWidget):
     ----------
     model
         Shown and set here.
+
+    Signals: ``made(OptionsDialog)`` when the dialog was made.
     """
+
+    made = Signal(object)
 
     def __init__(self, model: OptionsModel, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -43,16 +48,8 @@ class OptionsBar(QWidget):
     def _make_fields(self) -> None:
         specs = (
             Number("percent_of_polar", self.tr("Crew sails at"), 10, 200, " %", 5),
-            Number("max_wind_kn", self.tr("Most wind (TWS)"), 0, 200, none=self.tr("no limit"), kind="wind"),
-            Number(
-                "motor_below_kn",
-                self.tr("Motor when slower than"),
-                0,
-                50,
-                self.tr(" kn"),
-                0.5,
-                self.tr("never"),
-            ),
+            most_wind(),
+            motor_below(),
         )
         boxes = [number_box(spec, self._model, self.box) for spec in specs]
         self.percent_box, self.max_wind_box, self.motor_box = boxes
@@ -92,7 +89,19 @@ class OptionsBar(QWidget):
         """The dialog with everything, made when it is first wanted."""
         if self._dialog is None:
             self._dialog = OptionsDialog(self._model, self.window())
+            self.made.emit(self._dialog)
         return self._dialog
+
+    def take_over(self, other: OptionsBar) -> None:
+        """Be as open as that of another window, its dialog too."""
+        self.show_options(shown=not other.box.isHidden())
+        if other.is_dialog_open:
+            self.open_dialog()
+
+    @property
+    def is_dialog_open(self) -> bool:
+        """Whether the dialog with everything is shown."""
+        return self._dialog is not None and self._dialog.isVisible()
 
     def open_dialog(self) -> None:
         """Open the dialog beside the window."""

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, Final
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QCoreApplication, Qt
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import (
     QCheckBox,
@@ -50,6 +50,21 @@ class Number:
     none: str = ""
     kind: Kind = "plain"
     tip: str = ""
+
+
+def most_wind() -> Number:
+    """Field for the limit of wind."""
+    label = QCoreApplication.translate("OptionsDialog", "Most wind (TWS)")
+    none = QCoreApplication.translate("OptionsDialog", "no limit")
+    return Number("max_wind_kn", label, 0, 200, none=none, kind="wind")
+
+
+def motor_below() -> Number:
+    """Field for the speed below which the engine helps."""
+    label = QCoreApplication.translate("OptionsDialog", "Motor when slower than")
+    unit = QCoreApplication.translate("OptionsDialog", " kn")
+    never = QCoreApplication.translate("OptionsDialog", "never")
+    return Number("motor_below_kn", label, 0, 50, unit, 0.5, never)
 
 
 def number_box(spec: Number, model: OptionsModel, parent: QWidget) -> NumberBox:
@@ -161,7 +176,7 @@ class OptionsDialog(QDialog):
         here = self.tr("Counts where the forecast has it")
         return self._section(
             self.tr("Limits"),
-            Number("max_wind_kn", self.tr("Most wind (TWS)"), 0, 200, none=none, kind="wind"),
+            most_wind(),
             Number("max_gust_kn", self.tr("Strongest gusts"), 0, 200, none=none, kind="wind", tip=here),
             Number(
                 "max_wave_m", self.tr("Highest waves"), 0, 30, step=0.5, none=none, kind="height", tip=here
@@ -189,15 +204,7 @@ class OptionsDialog(QDialog):
     def _engine(self) -> QWidget:
         return self._section(
             self.tr("Engine"),
-            Number(
-                "motor_below_kn",
-                self.tr("Motor when slower than"),
-                0,
-                50,
-                self.tr(" kn"),
-                0.5,
-                self.tr("never"),
-            ),
+            motor_below(),
             Number("motor_speed_kn", self.tr("Speed under engine"), 0.1, 50, self.tr(" kn"), 0.5),
             Number("fuel_rate_l_h", self.tr("Fuel"), 0, 1000, self.tr(" l/h"), 0.5),
         )
@@ -243,7 +250,24 @@ class OptionsDialog(QDialog):
                     "refuse": self.tr("refuse to sail on"),
                 },
             ),
+            self._check("currents", self.tr("Reckon with the current")),
+            ("", self._without_current()),
         )
+
+    def _without_current(self) -> QLabel:
+        """Say why there is no current to reckon with, where there is none."""
+        label = text_label(self.tr("The forecast at hand has no current."), "hint", self)
+        box = self.fields["currents"]
+
+        def show() -> None:
+            absent = self._model.has_current is False
+            box.setEnabled(not absent)
+            box.setToolTip(label.text() if absent else "")
+            label.setVisible(absent)
+
+        self._model.learned.connect(show)
+        show()
+        return label
 
     # --- fields -------------------------------------------------------------------------------------
 

@@ -11,7 +11,7 @@ from PySide6.QtCore import QCoreApplication, QObject, Signal
 from seacruise.desktop.language import fill
 from seacruise.desktop.units_choice import distance_text, height_text, wind_text
 from seacruise.errors import InputError
-from seacruise.passage import Options
+from seacruise.model import Options
 
 NAMES: Final = tuple(field.name for field in fields(Options) if field.name != "corridor")
 """What a sailor may set; the corridor is left out by the window itself while something is dragged."""
@@ -36,21 +36,35 @@ OFFERED: Final = (
     "most_turns",
     "preset",
     "beyond",
+    "currents",
 )
 """What the window has fields for, and remembers; the rest is the command line's."""
 
 
 class OptionsModel(QObject):
-    """The options; ``changed()`` whenever they are others.
+    """The options; ``changed()`` whenever they are others, ``learned()`` when more is known of the wind.
 
     What the command line gave is kept as it was given, also where no field shows it.
+
+    Attributes
+    ----------
+    has_current
+        Whether the wind at hand comes with a current; ``None`` while that is not known.
     """
 
     changed = Signal()
+    learned = Signal()
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.options = DEFAULTS
+        self.has_current: bool | None = None
+
+    def learn_current(self, has: bool | None) -> None:
+        """Take note of whether the wind at hand comes with a current."""
+        if has is not self.has_current:
+            self.has_current = has
+            self.learned.emit()
 
     def put(self, values: Mapping[str, Any]) -> None:
         """Set options by their names; others of the mapping are passed over."""
@@ -126,6 +140,7 @@ def _difference(name: str, value: Any, options: Options) -> str:
     texts = {
         "preset": tr("classic search"),
         "tacking": tr("no tacking"),
+        "currents": tr("without currents"),
         "percent_of_polar": tr("{n:g} % of the polar"),
         "percent_at_night": tr("{n:g} % at night"),
         "sea_state_percent": tr("{n:g} % less for each metre of waves"),

@@ -12,7 +12,6 @@ from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import (
     QFrame,
     QHBoxLayout,
-    QLabel,
     QMenu,
     QSizePolicy,
     QStackedWidget,
@@ -23,6 +22,7 @@ from PySide6.QtWidgets import (
 )
 
 from seacruise.desktop.banner import text_label
+from seacruise.desktop.elided import ElidedLabel
 from seacruise.desktop.legs import LegsTable
 from seacruise.desktop.log_table import LogTable
 from seacruise.desktop.meteogram import Meteogram
@@ -101,11 +101,10 @@ class PassagePane(QFrame):
             (self.tr("Log"), self.tr("The passage told in sentences (Alt+3)")),
         ):
             self.tabs.setTabToolTip(self.tabs.addTab(text), tip)
-        self.now = QLabel(self.head)
+        self.now = ElidedLabel(self.head)
         self.now.setObjectName("hint")
         self.now.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         self.now.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
-        self.now.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.fold_button = QToolButton(self.head)
         self.fold_button.setIconSize(QSize(12, 12))
         self.fold_button.clicked.connect(lambda: self.fold(folded=not self.is_folded))
@@ -186,7 +185,7 @@ class PassagePane(QFrame):
                 self.meteogram.show_passage(answer.passage, answer.wind)
                 self._stale.discard("weather")
             self.stack.setCurrentIndex(PAGES.index(name))
-        self._take_room()
+        self.take_room()
         self._mark()
 
     def _write_log(self, answer: Answer) -> None:
@@ -198,7 +197,7 @@ class PassagePane(QFrame):
         self.legs.show_passage(None)
         self.log.log.show_entries(())
         self.meteogram.show_passage(None)
-        self.now.clear()
+        self.now.say("")
         self.empty.setText(self._promise())
         self.stack.setCurrentWidget(self.empty)
 
@@ -225,7 +224,7 @@ class PassagePane(QFrame):
         if answer is None or moment is None:
             return
         self.meteogram.show_time(moment)
-        self.now.setText(self.meteogram.brief_words())
+        self.now.say(self.meteogram.brief_words())
         if self._leads:
             return
         leg = self._leg_at(moment)
@@ -285,7 +284,7 @@ class PassagePane(QFrame):
         self._show_fold()
         self._refresh()
 
-    def _take_room(self) -> None:
+    def take_room(self) -> None:
         """Take no more room than there is to show: tabs alone when folded, one sentence without a passage."""
         small = self.is_folded or self._answer is None
         height = self.head.sizeHint().height() + 4

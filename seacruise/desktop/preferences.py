@@ -72,7 +72,7 @@ class UnitsMenu(QObject):
 
 
 class LanguageMenu(QObject):
-    """A menu of languages; ``chosen()`` when another one was, which counts from the next start on.
+    """A menu of languages; ``chosen()`` when one was, and is kept.
 
     Parameters
     ----------

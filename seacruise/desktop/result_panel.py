@@ -4,23 +4,28 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from datetime import datetime
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QCoreApplication, Qt, Signal
 from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QVBoxLayout, QWidget
 
-from seacruise.along import UPWIND_DEG, upwind_share, weather_along
 from seacruise.desktop.banner import Banner, text_label
 from seacruise.desktop.language import fill, sentence
 from seacruise.desktop.messages import Message, age_h, format_age, is_forecast, notices_of
 from seacruise.desktop.style import scaled_font
 from seacruise.desktop.units_choice import distance_text, moment_text, wind_text
-from seacruise.export.textform import format_duration, title, to_minute
+from seacruise.desktop.verdict import verdict_on
+from seacruise.export.textform import format_duration, to_minute
 from seacruise.sun import night_hours
+from seacruise.units import beaufort
 
 if TYPE_CHECKING:
     from seacruise.passage import Passage
     from seacruise.weather.wind import Wind
+
+
+STRONG_FORCE: Final = 7
+"""From this force on the strongest wind is told in the colour of faults: a near gale is no cruise."""
 
 
 class ResultPanel(QFrame):
@@ -34,7 +39,11 @@ class ResultPanel(QFrame):
         self.heading = text_label("", "hint", self)
         self.duration = QLabel(self)
         self.duration.setFont(scaled_font(self.font(), 2.1, bold=True))
+        self.verdict = text_label("", "good", self)
+        self.verdict.setFont(scaled_font(self.font(), 1.05, bold=True))
         self.arrival = text_label("", "", self)
+        self.members = text_label("", "", self)
+        self.members.hide()
         self._facts = QGridLayout()
         self._facts.setHorizontalSpacing(10)
         self._facts.setVerticalSpacing(3)
@@ -59,11 +68,12 @@ class ResultPanel(QFrame):
         layout = QVBoxLayout(self)
         layout.setContentsMargins(16, 10, 16, 12)
         layout.setSpacing(6)
-        for widget in (self.heading, self.duration, self.arrival):
+        for widget in (self.heading, self.duration, self.verdict, self.arrival):
             layout.addWidget(widget)
         layout.addLayout(self._warnings)
         layout.addWidget(_rule(self))
         layout.addLayout(self._facts)
+        layout.addWidget(self.members)
         layout.addLayout(self._notices)
         layout.addWidget(_rule(self))
         for widget in (self.checks, self.source, self.fine_print):
@@ -92,20 +102,28 @@ class ResultPanel(QFrame):
         wind
             It was found in; its gusts are told when it has them.
         """
-        head = f"{title(passage)}, {passage.yacht}"
+        head = f"{passage.start.name} – {passage.end.name}, {passage.yacht}"
         if earlier:
             self.heading.setText(self.tr("Earlier passage: {head}").format(head=head))
         else:
             self.heading.setText(self.tr("Roughly so far: {head}").format(head=head) if rough else head)
         self.duration.setText(format_duration(passage.duration_h))
+        verdict = verdict_on(passage)
+        self.verdict.setText(verdict.text)
+        _dress(self.verdict, verdict.dress)
         leaves, arrives = (moment_text(to_minute(m)) for m in (passage.departure, passage.arrival))
         self.arrival.setText(
             self.tr("Departs {leaves}\nArrives {arrives}").format(arrives=arrives, leaves=leaves)
         )
-        self.setAccessibleName(f"{head}: {self.duration.text()}, {self.arrival.text()}")
+        self.setAccessibleName(f"{head}: {self.duration.text()}, {verdict.text} {self.arrival.text()}")
         self._show_notices(notices_of(passage, now))
         self._show_facts(facts_of(passage, via, wind))
         self._show_trust(passage, now)
+
+    def show_members(self, text: str) -> None:
+        """Say what the members of an ensemble make of the passage, or nothing."""
+        self.members.setText(text)
+        self.members.setVisible(bool(text))
 
     def _show_notices(self, messages: list[Message]) -> None:
         """Make banners anew only when they take another form: each costs the style sheet milliseconds."""
@@ -129,6 +147,7 @@ class ResultPanel(QFrame):
             if shown:
                 left.setText(facts[row].name)
                 right.setText(facts[row].value)
+                _dress(right, "fault" if facts[row].warns else "")
                 for label in (left, right):
                     label.setToolTip(facts[row].tip)
 
@@ -153,7 +172,7 @@ class ResultPanel(QFrame):
             if ok
         ]
         failed = not (checks.land_free and checks.zones_free and checks.within_limits)
-        sentence = self.tr("Sailed again leg by leg: {what}.").format(what=", ".join(passed) or "–")
+        sentence = self.tr("Checked leg by leg: {what}.").format(what=", ".join(passed) or "–")
         if failed:
             sentence += " " + self.tr("A check failed: do not sail it as it is.")
         if passage.lower_bound_h > 0:
@@ -161,11 +180,7 @@ class ResultPanel(QFrame):
                 t=format_duration(passage.lower_bound_h)
             )
         self.checks.setText(sentence)
-        name = "fault" if failed else "good"
-        if name != self.checks.objectName():
-            self.checks.setObjectName(name)
-            self.checks.style().unpolish(self.checks)
-            self.checks.style().polish(self.checks)
+        _dress(self.checks, "fault" if failed else "good")
         self.source.setText(source_text(passage, now))
 
 
@@ -180,10 +195,13 @@ class Fact:
     name: str
     value: str
     tip: str = ""
+    warns: bool = False
 
 
 def facts_of(passage: Passage, via: str, wind: Wind | None) -> list[Fact]:
     """Collect what is seen of a passage at one glance, most important first."""
+    from seacruise.along import UPWIND_DEG, upwind_share, weather_along
+
     track = passage.track
     gusts = weather_along(track, wind).gust_kn
     strongest = wind_text(passage.max_tws_kn)
@@ -199,7 +217,12 @@ def facts_of(passage: Passage, via: str, wind: Wind | None) -> list[Fact]:
             _tr("{direct} in a straight line").format(direct=direct),
         ),
         Fact(_tr("Mean speed"), fill(_tr("{n:.1f} kn"), n=passage.mean_speed_kn)),
-        Fact(_tr("Strongest wind"), strongest),
+        Fact(
+            _tr("Strongest wind"),
+            strongest,
+            _tr("Force {force} on the Beaufort scale").format(force=beaufort(passage.max_tws_kn)),
+            warns=beaufort(passage.max_tws_kn) >= STRONG_FORCE,
+        ),
         Fact(
             _tr("Against the wind"),
             beating.format(percent=100.0 * upwind_share(track)),
@@ -236,6 +259,14 @@ def source_text(passage: Passage, now: datetime) -> str:
         fill(_tr("{deg:g}° grid, every {step:g} h"), deg=forecast.resolution_deg, step=forecast.step_h)
     )
     return _tr("Wind: {parts}.").format(parts="; ".join(parts))
+
+
+def _dress(label: QLabel, name: str) -> None:
+    """Dress a label as the style sheet has it by a name; polishing costs milliseconds, so not in vain."""
+    if name != label.objectName():
+        label.setObjectName(name)
+        label.style().unpolish(label)
+        label.style().polish(label)
 
 
 def _rule(parent: QWidget) -> QFrame:

@@ -119,9 +119,7 @@ class SidePanel(QWidget):
         if self.banner is not None:
             if message == self.banner.message:
                 return
-            self._layout.removeWidget(self.banner)
-            self.banner.hide()
-            self.banner.deleteLater()
+            self.banner.take_down()
             self.banner = None
         if message is not None:
             self.banner = Banner(message, self)

@@ -88,14 +88,26 @@ def tinted(colour: str, light: str) -> str:
     return turned.name()
 
 
-def apply_style(app: QApplication, light: str = "day") -> None:
-    """Give the whole program its look for a light: Fusion, so that it is the same on every system."""
+def begin_style(app: QApplication, light: str = "day") -> None:
+    """Give the whole program its look but for the style sheet: Fusion, the same on every system."""
     if not app.property("isFusion"):
         # With a style sheet, the style no longer tells its name, and choosing it anew takes a frame's time.
         app.setStyle("Fusion")
         app.setProperty("isFusion", True)
     apply_palette(app, light)
+
+
+def apply_style(app: QApplication, light: str = "day") -> None:
+    """Give the whole program its look for a light."""
+    begin_style(app, light)
     app.setStyleSheet(style_sheet(light))
+    app.setProperty("light", light)
+
+
+def worn(app: QApplication) -> str | None:
+    """Tell the light that the whole program has its look for; ``None`` while that changes."""
+    light = app.property("light")
+    return light if isinstance(light, str) else None
 
 
 def apply_palette(app: QApplication, light: str) -> None:

@@ -13,7 +13,7 @@ from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QSlider, QToolButton,
 from seacruise.desktop.daylight import Light, light_along, spans
 from seacruise.desktop.elided import ElidedLabel
 from seacruise.desktop.style import scaled_font, show_icon
-from seacruise.desktop.units_choice import moment_text, short_moment, units_choice
+from seacruise.desktop.units_choice import short_moment, units_choice, week_moment
 
 if TYPE_CHECKING:
     from seacruise.desktop.state import Horizon
@@ -24,7 +24,7 @@ _MINUTES_A_TICK: Final = 6
 _DEPARTURE_STEP_MIN: Final = 10
 _HANDLE_PX: Final = 20
 _SLIDER_PX: Final = 80
-_SAMPLE: Final = "Mon 30 Nov 2030 00:00 UTC+1  +100 h 00"
+_SAMPLE: Final = "Mon 30 Nov 00:00 UTC+1  +100 h 00"
 _LIGHTS: Final = {Light.DAY: "#F2C14E", Light.TWILIGHT: "#7F8FA6", Light.NIGHT: "#22324A"}
 
 
@@ -184,7 +184,7 @@ class TimeBar(QFrame):
 
     def _tell_departure(self, moment: datetime) -> None:
         self._leaves = moment
-        self.departure_label.say(moment_text(moment), short_moment(moment))
+        self.departure_label.say(week_moment(moment), short_moment(moment))
 
     def _tell_again(self) -> None:
         """Say both moments in the zone that was chosen."""
@@ -238,8 +238,8 @@ class TimeBar(QFrame):
     def _tell_time(self) -> None:
         hours, rest = divmod(self.slider.value(), 60)
         under_way = self.tr("+{hours} h {minutes:02d}").format(hours=hours, minutes=rest)
-        short = short_moment(self.moment)
-        self.label.say(f"{moment_text(self.moment)}  {under_way}", f"{short}  {under_way}", short)
+        whole, brief = week_moment(self.moment), short_moment(self.moment)
+        self.label.say(f"{whole}  {under_way}", f"{brief}  {under_way}", brief)
 
     def _play(self, on: bool) -> None:
         show_icon(self.play_button, "pause" if on else "play")

@@ -16,6 +16,7 @@ from PySide6.QtCore import QCoreApplication, QObject, Qt, QTimer
 from PySide6.QtGui import QAction, QKeySequence, QUndoCommand, QUndoStack
 from PySide6.QtWidgets import QApplication
 
+from seacruise.desktop.avoid import Change, Renamed
 from seacruise.desktop.language import sentence
 from seacruise.desktop.log_words import day_and_time
 
@@ -28,8 +29,6 @@ if TYPE_CHECKING:
 
 _TOGETHER_S: Final = 1.0
 """Changes of the same thing that follow each other sooner are one step, as by a wheel or a held key [s]."""
-
-_STEP_ID: Final = 1
 
 
 def _tr(text: str) -> str:
@@ -110,19 +109,16 @@ class _Step(QUndoCommand):
         self._history, self.before, self.after, self.session = history, before, after, session
         self._is_made = True
 
-    def id(self) -> int:
-        """Let steps of one hand movement be merged."""
-        return _STEP_ID
+    def again(self, history: History) -> _Step:
+        """Give the same step for another window, named in its language."""
+        return _Step(history, self.before, self.after, self.session)
 
-    def mergeWith(self, other: QUndoCommand) -> bool:
-        """Become one with what the same movement did next; nothing, when it came back."""
-        if not isinstance(other, _Step) or other.session != self.session:
-            return False
-        self.after = other.after
-        self.changed |= other.changed
+    def grow(self, after: Asked, changed: frozenset[str]) -> bool:
+        """Become one with what the same movement did next; False when that came back to where it began."""
+        self.after = after
+        self.changed |= changed
         self.setText(name_of(self.changed, self.before, self.after))
-        self.setObsolete(not differences(self.before, self.after))
-        return True
+        return bool(differences(self.before, self.after))
 
     def redo(self) -> None:
         """Make the change; the first time the sailor has made it."""
@@ -153,7 +149,7 @@ class History(QObject):
         super().__init__(parent)
         self._form, self._steering = form, steering
         self._known: Asked | None = None
-        self._putting = False
+        self._putting = self._is_copying = False
         self._session, self._kind, self._last = 0, frozenset[str](), 0.0
         self._soon = QTimer(self)
         self._soon.setSingleShot(True)
@@ -229,7 +225,23 @@ class History(QObject):
         if changed != self._kind or (now - self._last > _TOGETHER_S and not self._is_held()):
             self._session += 1
         self._kind, self._last = changed, now
-        self.stack.push(_Step(self, before, self._known, self._session))
+        if not self._grown(self._known, changed):
+            self.stack.push(_Step(self, before, self._known, self._session))
+
+    def _grown(self, after: Asked, changed: frozenset[str]) -> bool:
+        """Let the last step become one with a change of the same movement; False when there is none."""
+        # Qt would merge them itself, but of a step that is pushed and merged PySide6 never lets go, and a
+        # drag has a dozen of them.
+        stack, last = self.stack, self.stack.index() - 1
+        step = stack.command(last) if 0 <= last == stack.count() - 1 else None
+        if not isinstance(step, _Step) or step.session != self._session:
+            return False
+        if step.grow(after, changed):
+            stack.undoTextChanged.emit(step.text())
+        else:
+            step.setObsolete(True)
+            stack.undo()
+        return True
 
     def _is_held(self) -> bool:
         """Whether a hand still holds something, or still types a name."""
@@ -237,8 +249,34 @@ class History(QObject):
         held = bool(QApplication.mouseButtons() & Qt.MouseButton.LeftButton)
         return held or (typing and bool(self._kind & {"start", "end"}))
 
+    def take_over(self, other: History, renamed: Renamed) -> None:
+        """Be able to take back what could be taken back in another window; nothing is asked anew."""
+        given, stack, avoided = other.stack, self.stack, self._steering.avoided
+        zones = avoided.zones
+        self._is_copying = True
+        try:
+            for number in range(given.count()):
+                step = given.command(number)
+                if isinstance(step, _Step):
+                    stack.push(step.again(self))
+                elif isinstance(step, Change):
+                    stack.push(step.again(avoided, renamed))
+            stack.setIndex(given.index())
+        finally:
+            self._is_copying = False
+        avoided.put(zones)
+        self._session = other.session
+        self._known = self._asked()
+
+    @property
+    def session(self) -> int:
+        """Number of the last movement of the hand."""
+        return self._session
+
     def put(self, asked: Asked, changed: frozenset[str]) -> None:
         """Let some fields ask what they did, and sail that, if there is a passage to follow from."""
+        if self._is_copying:
+            return
         form, steering = self._form, self._steering
         via = asked.via if "via" in changed else steering.via
 

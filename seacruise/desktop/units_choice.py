@@ -202,6 +202,13 @@ def short_moment(moment: datetime) -> str:
     return f"{QLocale().toString(QDate(local.year, local.month, local.day), 'd MMM')} {local:%H:%M}"
 
 
+def week_moment(moment: datetime) -> str:
+    """Weekday, day and time with their zone, without the year: ``Sun 20 Nov 06:00 UTC``."""
+    local = in_zone(moment)
+    day = QLocale().toString(QDate(local.year, local.month, local.day), "ddd d MMM")
+    return f"{day} {local:%H:%M} {zone_text(moment)}"
+
+
 def format_moment(moment: datetime) -> str:
     """Day and time as the sailor's locale writes them, without the zone: ``Sun 20 Nov 2016 06:00``."""
     local = in_zone(moment)

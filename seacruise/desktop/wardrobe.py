@@ -1,23 +1,24 @@
-"""Another light for the whole program, without holding it up for long.
+"""Another light for the whole program, without holding it up.
 
-A style sheet that replaces another is applied to each widget once for each of its ancestors, which takes a
-third of a second. So the old one is taken off first, and the new one put on in the next step; then the window
-is laid out and painted part by part.
+Qt gives a new style sheet to all widgets at once and lays each out anew, which takes a third of a second.
+Here sheet and palette are changed without telling the widgets; then each is polished by itself, those that
+are seen first, some milliseconds at a time. Nothing is laid out anew: a light changes colours only.
 """
 
 from __future__ import annotations
 
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Final
 
 import shiboken6
-from PySide6.QtCore import QCoreApplication, QEvent, QObject, QTimer
-from PySide6.QtWidgets import QApplication, QWidget
+from PySide6.QtCore import QObject, Qt, QTimer
+from PySide6.QtWidgets import QApplication, QLabel, QWidget
 
-from seacruise.desktop.style import apply_palette, apply_style, style_sheet
+from seacruise.desktop.style import apply_palette, apply_style, style_sheet, worn
 
 _MOST_IN_A_PART: Final = 30
+_LINK: Final = "<a "
 _STEP_S: Final = 0.008
 """So long a step of changing the look may take, and one thing more [s]."""
 
@@ -28,8 +29,10 @@ _PAUSE_MS: Final = 4
 class Wardrobe(QObject):
     """Changes the look of a program that is shown, step by step: its window lives between two of them."""
 
-    def __init__(self, app: QApplication, parent: QObject | None = None) -> None:
+    def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
+        app = QApplication.instance()
+        assert isinstance(app, QApplication)
         self._app = app
         self._light = "day"
         self._steps: Iterator[bool] | None = None
@@ -46,6 +49,8 @@ class Wardrobe(QObject):
     def change(self, light: str) -> None:
         """Change to a light; one that is being changed to is given up."""
         self._light = light
+        if worn(self._app) == light and not self.is_changing:
+            return
         if not any(window.isVisible() for window in self._app.topLevelWidgets()):
             apply_style(self._app, light)
             return
@@ -69,28 +74,46 @@ class Wardrobe(QObject):
     def _change(self) -> Iterator[bool]:
         """Change the look; gives, between two steps, whether the next may follow at once."""
         app = self._app
-        app.setStyleSheet("")
-        apply_palette(app, self._light)
-        _forget_layouts()
-        yield False
+        app.setProperty("light", None)
+        # Who has forgotten what the old sheet said of the widgets finds none to give the new one to.
+        app.style().unpolish(app)
         app.setStyleSheet(style_sheet(self._light))
+        apply_palette(app, self._light)
         yield False
-        for widget in reversed(_seen(app)):
-            if shiboken6.isValid(widget) and (layout := widget.layout()) is not None:
-                layout.activate()
-                yield True
+        seen, others = _dressed(app)
+        yield from _polish(seen)
         while self._hidden:
             part = self._hidden.pop()
             if shiboken6.isValid(part):
-                # It is painted before the next step.
                 part.setUpdatesEnabled(True)
-                yield False
+                part.repaint()
+                yield True
+        yield from _polish(others)
+        app.setProperty("light", self._light)
 
 
-def _seen(app: QApplication) -> list[QWidget]:
-    """Widgets that are seen, each after the one that it is in."""
-    windows = [window for window in app.topLevelWidgets() if window.isVisible()]
-    return [w for window in windows for w in (window, *window.findChildren(QWidget)) if w.isVisible()]
+def _dressed(app: QApplication) -> tuple[list[QWidget], list[QWidget]]:
+    """Widgets that wear the sheet, those that are seen and those that are not; each after what it is in."""
+    windows = app.topLevelWidgets()
+    every = [widget for window in windows for widget in (window, *window.findChildren(QWidget))]
+    worn = [widget for widget in every if widget.testAttribute(Qt.WidgetAttribute.WA_WState_Polished)]
+    return [w for w in worn if w.isVisible()], [w for w in worn if not w.isVisible()]
+
+
+def _polish(widgets: Sequence[QWidget]) -> Iterator[bool]:
+    for widget in widgets:
+        if shiboken6.isValid(widget):
+            widget.style().polish(widget)
+            if isinstance(widget, QLabel) and _LINK in widget.text():
+                _read_again(widget)
+            yield True
+
+
+def _read_again(label: QLabel) -> None:
+    """Let a label read its text anew: links have the colour that they had when it was read."""
+    form = label.textFormat()
+    label.setTextFormat(Qt.TextFormat.PlainText)
+    label.setTextFormat(form)
 
 
 def _parts(widget: QWidget) -> list[QWidget]:
@@ -99,9 +122,3 @@ def _parts(widget: QWidget) -> list[QWidget]:
     if not inner or len(widget.findChildren(QWidget)) <= _MOST_IN_A_PART:
         return [widget] if widget.isVisible() else []
     return [part for child in inner for part in _parts(child)]
-
-
-def _forget_layouts() -> None:
-    """Lay nothing out while the style is incomplete; who calls it activates the layouts later."""
-    # The stub knows no None, which is everybody.
-    QCoreApplication.removePostedEvents(None, QEvent.Type.LayoutRequest)  # type: ignore[arg-type]

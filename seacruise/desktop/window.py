@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import logging
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from datetime import UTC, datetime
 from functools import partial
 from pathlib import Path
@@ -11,12 +11,12 @@ from typing import TYPE_CHECKING, Any, Final
 
 from PySide6.QtCore import QTimer, Signal
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent
-from PySide6.QtWidgets import QApplication, QMainWindow
+from PySide6.QtWidgets import QMainWindow
 
 from seacruise.desktop.background import Background, Catalogue
 from seacruise.desktop.chart_pane import ChartPane
 from seacruise.desktop.compute import Answer, Fetcher, Planner, compute, fetch_wind, plan_passage
-from seacruise.desktop.dropped import dropped_files
+from seacruise.desktop.dropped import use_files
 from seacruise.desktop.exporting import Exporter
 from seacruise.desktop.form import PassageForm
 from seacruise.desktop.habits import Habits
@@ -26,7 +26,7 @@ from seacruise.desktop.layout import lay_out, pane_splitter
 from seacruise.desktop.loading import Loading
 from seacruise.desktop.memory import WindowMemory
 from seacruise.desktop.menus import Commands, Menus
-from seacruise.desktop.messages import Message, message_for
+from seacruise.desktop.messages import Message, message_for, message_for_polars, message_of
 from seacruise.desktop.pages.desk import Desk
 from seacruise.desktop.pages.planning import Planning
 from seacruise.desktop.passage_pane import PassagePane
@@ -78,7 +78,8 @@ class MainWindow(QMainWindow):
         super().__init__()
         self._settings, self._planner, self._fetcher = settings, planner, fetcher
         self.state = WindowState()
-        self._message: Message | None = None
+        self.saying: Callable[[], Message | None] = lambda: None
+        self._trouble: Callable[[], Message] | None = None
         self.wardrobe: Wardrobe | None = None
         self.loading = Loading("catalogue", "horizon", parent=self)
         self.jobs = JobRunner("passage", self)
@@ -156,6 +157,8 @@ class MainWindow(QMainWindow):
         self.steering.router.failed.connect(self._not_rerouted)
         self.steering.router.rested.connect(self.pane.show_answer)
         self.layers.failed.connect(self._show_trouble)
+        self.layers.members_told.connect(self.side.result.show_members)
+        self.layers.noted.connect(partial(self.status.say, seconds=12.0))
         self.layers.light_changed.connect(self._light_changed)
         background = self.background
         background.catalogue_loaded.connect(self._take_catalogue)
@@ -182,14 +185,12 @@ class MainWindow(QMainWindow):
         view.measuring_changed.connect(self.menus.layers["measure"].setChecked)
         self.chart.measure_button.clicked.connect(self.menus.layers["measure"].toggle)
 
-    def load(self, *, warm_up: bool = True) -> None:
-        """Load everything that the first picture does not need."""
-        self.background.load_catalogue(self.form.wanted_yacht)
-        self.background.load_horizon(self.form.forecast)
-        self.background.load_quota()
-        self.background.load_layers()
+    def load(self, *, warm_up: bool = True, known: Mapping[str, Any] | None = None) -> None:
+        """Load everything that the first picture does not need, unless another window knows it."""
+        self.background.load(self.form.wanted_yacht, self.form.forecast, known or {})
         if warm_up:
             self.ready.connect(lambda: QTimer.singleShot(_WARM_UP_AFTER_MS, self.background.warm_up))
+            self.ready.connect(self.planning.prepare)
         self._horizon_timer.start()
         self.garbage.start()
 
@@ -205,6 +206,7 @@ class MainWindow(QMainWindow):
             return
         if not self.loading.is_done:
             self.loading.then(self.calculate)
+            self._trouble = None
             self._render()
             return
         self.steering.router.cancel()
@@ -272,23 +274,14 @@ class MainWindow(QMainWindow):
 
     def _set(self, state: WindowState) -> None:
         if state is not self.state:
+            if state.phase is not self.state.phase:
+                self._trouble = None
             self.state = state
             self._render()
 
     def _render(self) -> None:
         state = self.state
-        self._message = None
-        if self.loading.holds:
-            self._message = Message(
-                "info",
-                self.tr("Loading ports, yachts and the forecast…"),
-                self.tr("The passage is calculated as soon as they are there."),
-            )
-        elif state.phase is Phase.FAILED and state.error is not None:
-            self._message = message_for(state.error)
-        elif state.phase is Phase.CANCELLED:
-            self._message = Message("info", self.tr("Cancelled"), self.tr("Nothing was changed."))
-        self._show_side()
+        self.say(self._trouble or partial(message_of, state, holds=self.loading.holds))
         running = state.phase is Phase.COMPUTING or self.loading.holds
         self.form.set_running(running=running)
         self.menus.cancel.setEnabled(running)
@@ -299,13 +292,15 @@ class MainWindow(QMainWindow):
         self.chart.view.route.faded = state.answer_is_earlier
         self.chart.view.viewport().update()
 
-    def _show_side(self) -> None:
-        self.side.show_state(self.state, self._message, datetime.now(UTC))
+    def say(self, message: Callable[[], Message | None]) -> None:
+        """Show a message above the answer; what makes it is kept, for another language."""
+        self.saying = message
+        self.side.show_state(self.state, message(), datetime.now(UTC))
 
     def _show_trouble(self, error: SeaCruiseError) -> None:
         """Show a trouble that is not of the calculation, without touching what is there."""
-        self._message = message_for(error)
-        self._show_side()
+        self._trouble = partial(message_for, error)
+        self.say(self._trouble)
 
     def show_fault(self, error: BaseException) -> None:
         """Show, in one sentence, a mistake of the program in any slot."""
@@ -317,6 +312,7 @@ class MainWindow(QMainWindow):
         if not follows:
             self.pane.show_answer(answer)
         self.status.show_answer(answer)
+        self.form.sailing.learn_current(answer.wind.current is not None)
         view.show_answer(answer)
         bar.strip.show_track(passage.track)
         if follows:
@@ -335,8 +331,7 @@ class MainWindow(QMainWindow):
         self.steering.router.cancel()
         self._set(self.state.rerouted(answer))
         self._show_answer(answer)
-        self._message = message
-        self._show_side()
+        self.say(lambda: message)
 
     def _show_layers(self) -> None:
         self.pane.setVisible(self.layers.is_on("legs") and not self.planning.frame.is_open)
@@ -347,10 +342,8 @@ class MainWindow(QMainWindow):
         self.pane.show_light(light)
         self.chart.time_bar.strip.show_light(light)
         show_light(self, light)
-        app = QApplication.instance()
-        if isinstance(app, QApplication):
-            self.wardrobe = self.wardrobe or Wardrobe(app, self)
-            self.wardrobe.change(light)
+        self.wardrobe = self.wardrobe or Wardrobe(self)
+        self.wardrobe.change(light)
 
     def _fit(self) -> None:
         if self.state.answer is not None:
@@ -375,10 +368,7 @@ class MainWindow(QMainWindow):
         self.chart.view.ports.show_ports(catalogue.ports)
         if catalogue.problems:
             log.warning("Polars that cannot be used: %s", " ".join(catalogue.problems))
-            self._message = Message(
-                "warning", self.tr("Some polars cannot be used"), "\n".join(catalogue.problems)
-            )
-            self._show_side()
+            self.say(partial(message_for_polars, catalogue.problems))
         self.loading.end("catalogue")
 
     def _forecast_changed(self) -> None:
@@ -408,7 +398,8 @@ class MainWindow(QMainWindow):
 
     def _export(self, form: str) -> None:
         if self.state.answer is not None:
-            self.exporter.ask(form, self.state.answer.passage, self.state.answer.wind)
+            beside = self.layers.beside()
+            self.exporter.ask(form, self.state.answer.passage, self.state.answer.wind, beside)
 
     def _saved(self, path: Path) -> None:
         self.status.say(self.tr("Saved {path}").format(path=path), 8.0)
@@ -422,25 +413,36 @@ class MainWindow(QMainWindow):
 
     def dropEvent(self, event: QDropEvent) -> None:
         """Use a forecast, let a polar join the fleet."""
-        winds, others = dropped_files(event.mimeData())
-        if winds:
-            self.form.set_forecast(tuple(str(path) for path in winds))
-        for path in others:
-            self.background.add_polar(path)
+        use_files(event.mimeData(), self.form.set_forecast, self.background.add_polar)
         event.acceptProposedAction()
 
     def closeEvent(self, event: QCloseEvent) -> None:
         """Remember, cancel, and leave; a calculation that runs is dropped cleanly."""
         self.habits.keep()
+        self.retire()
+        event.accept()
+
+    def heir(self) -> MainWindow:
+        """Make the window that takes this one's place, in the language that is spoken now."""
+        memory = self.habits.memory
+        return MainWindow(self._settings, planner=self._planner, fetcher=self._fetcher, memory=memory)
+
+    def take_over(self, other: MainWindow) -> None:
+        """Show what another window shows, and await what it awaits."""
+        other.jobs.hand_over(self.jobs)
+        self.state = other.state
+        if self.state.answer is not None:
+            self._show_answer(self.state.answer)
+        if other.loading.holds:
+            self.loading.then(self.calculate)
+        self._render()
+        self.say(other.saying)
+
+    def retire(self) -> None:
+        """End everything that runs; a window that is closed, or has an heir."""
         self.hide()
         self._horizon_timer.stop()
         self.garbage.stop()
-        self.jobs.shut_down()
-        self.steering.router.shut_down()
-        self.planning.shut_down()
-        self.layers.shut_down()
-        self.chart.view.painter_jobs.shut_down()
-        self.background.shut_down()
-        self.desk.shut_down()
-        self.exporter.shut_down()
-        event.accept()
+        workers: tuple[Any, ...] = (self.jobs, self.steering.router, self.planning, self.layers)
+        for part in (*workers, self.chart.view.painter_jobs, self.background, self.desk, self.exporter):
+            part.shut_down()

@@ -9,6 +9,7 @@ from textwrap import shorten
 from typing import TYPE_CHECKING, Any
 
 from seacruise.atomic import write_atomically
+from seacruise.export.beside import NOTHING, Beside, draw_beside
 from seacruise.export.chartlabels import draw_ports, draw_waypoints
 from seacruise.export.chartwork import (
     INK,
@@ -34,7 +35,7 @@ if TYPE_CHECKING:
     from seacruise.weather.wind import Wind
 
 
-def chart(passage: Passage, *, wind: Wind | None = None) -> bytes:
+def chart(passage: Passage, *, wind: Wind | None = None, beside: Beside = NOTHING) -> bytes:
     """Draw a passage and return the PNG.
 
     Land is the coast that the passage was checked against, thinned for the scale. The line of the passage
@@ -44,6 +45,8 @@ def chart(passage: Passage, *, wind: Wind | None = None) -> bytes:
     ----------
     wind
         Source of the barbs; without it there are none.
+    beside
+        Lines to be drawn faintly under the passage.
     """
     frame = frame_of(passage.track.lon, passage.track.lat)
     figure, axes = canvas(frame)
@@ -53,7 +56,8 @@ def chart(passage: Passage, *, wind: Wind | None = None) -> bytes:
     if wind is not None:
         draw_barbs(axes, frame, wind, middle, land)
     line = draw_passage(axes, passage)
-    taken = draw_waypoints(axes, passage, [draw_scale_bar(axes, frame)])
+    told = draw_beside(axes, beside, passage)
+    taken = draw_waypoints(axes, passage, [draw_scale_bar(axes, frame), *told])
     draw_ports(axes, frame, passage, load_ports(), taken)
     _write_texts(figure, passage, middle if wind is not None else None)
     _draw_colours(figure, line)
@@ -63,7 +67,7 @@ def chart(passage: Passage, *, wind: Wind | None = None) -> bytes:
     return picture.getvalue()
 
 
-def write_chart(passage: Passage, path: Path, *, wind: Wind | None = None) -> None:
+def write_chart(passage: Passage, path: Path, *, wind: Wind | None = None, beside: Beside = NOTHING) -> None:
     """Write `chart` to a file.
 
     Raises
@@ -71,7 +75,7 @@ def write_chart(passage: Passage, path: Path, *, wind: Wind | None = None) -> No
     InputError
         The file cannot be written.
     """
-    write_atomically(path, chart(passage, wind=wind), what="chart")
+    write_atomically(path, chart(passage, wind=wind, beside=beside), what="chart")
 
 
 def _draw_colours(figure: Figure, line: LineCollection) -> None:

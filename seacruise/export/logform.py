@@ -4,9 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from datetime import datetime
+from typing import TYPE_CHECKING
 
 from seacruise.export.textform import format_course, format_day_time, format_duration
-from seacruise.narrative import Amount, Entry, Phrase
+from seacruise.phrases import Amount, Phrase
+
+if TYPE_CHECKING:
+    from seacruise.narrative import Entry
 
 Translate = Callable[[Phrase], str]
 Show = Callable[[Amount | datetime], str]

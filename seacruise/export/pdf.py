@@ -54,6 +54,13 @@ if TYPE_CHECKING:
 
     from seacruise.weather.wind import Wind
 
+_DAYS_TOLD: Final = 2
+"""From so many days on the heading tells the duration in days, too."""
+
+_HELD: Final = ("Held wind", "Fading wind")
+_HELD_SHARE: Final = 0.1
+"""More of the passage than this beyond the forecast is told in the colour of warnings."""
+
 _NOTICE_LINE: Final = 0.15
 _NOTICE_LINES: Final = 16
 """Height of a line of notices [inches], and how many stand on page 1; others have a page of their own."""
@@ -138,7 +145,10 @@ def pages(passage: Passage, *, wind: Wind | None = None, words: Words = ENGLISH)
 def _write_head(page: Figure, passage: Passage, words: Words) -> float:
     """Write title and summary; returns how low they reach [inches from the bottom]."""
     ends = [shorten(place.name, _LONG_NAME, placeholder=" ...") for place in (passage.start, passage.end)]
-    head = f"{' - '.join(ends)}: {format_duration(passage.duration_h)}"
+    head = f"{' – '.join(ends)}: {format_duration(passage.duration_h)}"
+    days, hours = divmod(round(passage.duration_h), 24)
+    if days >= _DAYS_TOLD:
+        head += f" ({days} d {hours} h)"
     y = HEIGHT_IN - 0.85
     write_line(page, y, head, size=min(17.0, 17.0 * 50 / len(head)))
     y -= 0.34
@@ -151,7 +161,9 @@ def _write_head(page: Figure, passage: Passage, words: Words) -> float:
         # other languages have longer words
         write(page, x, at, told, size=min(8.0, 8.0 * _LABEL_LETTERS / len(told)), color=FAINT)
         value = shorten(text, 52, placeholder=" ...")
-        write(page, x + 1.06, at, value, size=min(8.0, 8.0 * _VALUE_LETTERS / len(value)))
+        warns = label in _HELD and passage.beyond_forecast_h > _HELD_SHARE * passage.duration_h
+        size, color = min(8.0, 8.0 * _VALUE_LETTERS / len(value)), MAGENTA if warns else INK
+        write(page, x + 1.06, at, value, size=size, color=color, bold=warns)
     return y - (half - 1) * 0.19
 
 
@@ -195,7 +207,7 @@ def _summary(passage: Passage, words: Words) -> list[tuple[str, str]]:
         told = words.fill("{hours} for manoeuvres", hours=format_duration(passage.manoeuvre_h))
         rows.append(("Turning", told))
     if passage.beyond_forecast_h > 0:
-        name = "Fading wind" if passage.beyond == "fade" else "Held wind"
+        name = _HELD[passage.beyond == "fade"]
         told = words.fill("{hours} beyond the forecast", hours=format_duration(passage.beyond_forecast_h))
         rows.append((name, told))
     return rows

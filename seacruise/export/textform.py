@@ -7,12 +7,12 @@ from datetime import UTC, datetime, timedelta
 from typing import TYPE_CHECKING
 
 from seacruise.geodesy import format_position
-from seacruise.passage import Passage, Place, Waypoint
 from seacruise.units import SECONDS_PER_HOUR
-from seacruise.weather.wind import Forecast
 
 if TYPE_CHECKING:
+    from seacruise.passage import Passage, Place, Waypoint
     from seacruise.tradeoff import Choice
+    from seacruise.weather.wind import Forecast
 
 NOTICE = "A planning aid, not for navigation."
 """Stands in every file that leaves the program."""

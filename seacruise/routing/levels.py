@@ -29,7 +29,7 @@ OPEN_WATER_NM: Final = 3.5
 KEPT: Final = 8
 """Lattices that are kept."""
 
-KEPT_AT_REST_BYTES: Final = 32_000_000
+KEPT_AT_REST_BYTES: Final = 16_000_000
 """So much of them while nothing is searched: usual ones have 4 MB, those of a bay without a wide way out,
 which is looked at ever more finely, forty."""
 

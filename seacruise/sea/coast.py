@@ -84,9 +84,8 @@ def land_on_lines(coords: NDArray[np.float64]) -> NDArray[np.bool_]:
     return hit
 
 
-@lru_cache(maxsize=CHART_LEVELS)
 def chart_land(level: int) -> list[list[Ring]]:
-    """Land for drawing, thinned for a scale.
+    """Land for drawing, thinned for a scale; who draws makes something else of it, so it is not kept.
 
     Parameters
     ----------
@@ -105,7 +104,6 @@ def chart_land(level: int) -> list[list[Ring]]:
     return _by_polygon(coords, rings, polygons)
 
 
-@lru_cache(maxsize=1)
 def world_land() -> list[list[Ring]]:
     """Land of the whole world for drawing, to about 2 km and without islets, as `chart_land` gives it.
 

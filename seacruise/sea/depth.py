@@ -25,6 +25,10 @@ ALL_LAND_M: Final = -4.9
 """Smoothed depths below this [m] have no node at sea around them: the grid is cut off at 4 m above it."""
 
 
+_NODES: Final = 4
+"""So many nodes of an axis a place between them depends on."""
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class Depths:
     """Depths on a grid.
@@ -48,9 +52,10 @@ class Depths:
 
         Cubic B-splines draw the bands' edges without corners. Beyond the grid its edge is held.
         """
-        rows = _weights(lat, self.south, self.north, self.metres.shape[0])
-        columns = _weights(lon, self.west, self.east, self.metres.shape[1])
-        return np.asarray(rows @ self.metres @ columns.T)
+        row, by_row = _around(lat, self.south, self.north, self.metres.shape[0])
+        column, by_column = _around(lon, self.west, self.east, self.metres.shape[1])
+        along = (self.metres[row] * by_row[:, :, None]).sum(axis=1)
+        return np.asarray(sum(along[:, column[:, k]] * by_column[:, k] for k in range(_NODES)))
 
     def band(self, lat: float, lon: float) -> int | None:
         """Give the band of a position [degrees], 0 for the shallowest; ``None`` on land and off the grid."""
@@ -63,25 +68,28 @@ class Depths:
 
     def ashore(self, lat: Array, lon: Array) -> NDArray[np.bool_]:
         """Tell which positions ``(n,)`` [degrees] are on land, to some kilometres: for drawing only."""
-        rows = _weights(lat, self.south, self.north, self.metres.shape[0])
-        columns = _weights(lon, self.west, self.east, self.metres.shape[1])
-        within = (lat >= self.south) & (lat <= self.north) & (lon >= self.west) & (lon <= self.east)
-        high = ((rows @ self.metres) * columns).sum(axis=1) <= 0.0
-        return np.where(within, high, roughly_ashore(lat, lon))
+        row, by_row = _around(lat, self.south, self.north, self.metres.shape[0])
+        column, by_column = _around(lon, self.west, self.east, self.metres.shape[1])
+        nodes = self.metres[row[:, :, None], column[:, None, :]]
+        ashore = (nodes * by_row[:, :, None] * by_column[:, None, :]).sum(axis=(1, 2)) <= 0.0
+        beyond = (lat < self.south) | (lat > self.north) | (lon < self.west) | (lon > self.east)
+        ashore[beyond] = roughly_ashore(lat[beyond], lon[beyond])
+        return np.asarray(ashore)
 
 
-def _weights(at: Array, low: float, high: float, nodes: int) -> Array:
-    """Weights ``(n, nodes)`` of a uniform cubic B-spline at some places of an axis."""
+def _around(at: Array, low: float, high: float, nodes: int) -> tuple[NDArray[np.int64], Array]:
+    """Find the four nodes ``(n, 4)`` around some places of an axis, and their weights in a cubic B-spline.
+
+    Weights for all nodes would make matrices of it: multiplied by several threads of NumPy's library, which
+    then wait for more to do at a processor's full cost, beside the frames that asked.
+    """
     place = np.clip((np.asarray(at) - low) / (high - low), 0.0, 1.0) * (nodes - 1)
     first = np.minimum(place.astype(np.int64), nodes - 2)
     t = place - first
-    weights = np.zeros((place.size, nodes))
-    number = np.arange(place.size)
     pieces = ((1 - t) ** 3, 3 * t**3 - 6 * t**2 + 4, -3 * t**3 + 3 * t**2 + 3 * t + 1, t**3)
-    for shift, piece in enumerate(pieces, start=-1):
-        # At the edges the outer node counts for the one beyond.
-        np.add.at(weights, (number, np.clip(first + shift, 0, nodes - 1)), piece / 6.0)
-    return weights
+    # At the edges the outer node counts for the one beyond.
+    numbers = np.clip(first[:, None] + np.arange(-1, _NODES - 1), 0, nodes - 1)
+    return numbers, np.stack(pieces, axis=1) / 6.0
 
 
 @lru_cache(maxsize=1)

@@ -9,11 +9,14 @@ coast data close - counts as land.
 from __future__ import annotations
 
 import math
+import mmap
 import shutil
+import sys
 import tempfile
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Final
+from weakref import WeakSet
 
 import numpy as np
 from numpy.typing import NDArray
@@ -32,6 +35,8 @@ RASTER_VERSION: Final = 4
 _SAMPLES: Final = 97
 _PARTS: Final = ("cells", "first", "shores")
 _FILES: Final = tuple(f"{part}.npy" for part in _PARTS)
+
+_MAPPED: Final[WeakSet[mmap.mmap]] = WeakSet()
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -173,9 +178,11 @@ def load(south: float, west: float, north: float, east: float, *, cache_dir: Pat
         if not is_whole(folder, _FILES):
             return None
         try:
-            raster = WaterRaster(x0, y0, cell, *(np.load(folder / name, mmap_mode="r") for name in _FILES))
+            arrays = [np.load(folder / name, mmap_mode="r") for name in _FILES]
+            raster = WaterRaster(x0, y0, cell, *arrays)
         except (OSError, ValueError, EOFError):
             return None
+        _MAPPED.update(array.base for array in arrays if isinstance(array.base, mmap.mmap))
         return raster if raster.cells.shape == shape else None
 
     if (known := mapped()) is not None:
@@ -184,6 +191,18 @@ def load(south: float, west: float, north: float, east: float, *, cache_dir: Pat
     _save(folder, built)
     # Mapped again, what was built need not stay in memory; where nothing could be saved, it must.
     return mapped() or built
+
+
+def let_go() -> None:
+    """Let the system have the memory in which mapped rasters lie: what is looked at again is there again.
+
+    They are files, and a search over half a sea touches 70 MB of them. Where the system knows no such
+    advice it takes them anyhow when memory is short.
+    """
+    advice = getattr(mmap, "MADV_DONTNEED", None)
+    if advice is not None and sys.platform == "linux":
+        for mapped in tuple(_MAPPED):
+            mapped.madvise(advice)
 
 
 def _save(folder: Path, raster: WaterRaster) -> None:

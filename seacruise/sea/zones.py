@@ -63,7 +63,7 @@ class Zones:
     @property
     def told(self) -> str:
         """Sentence for the sailor."""
-        return f"Zones of your layers that are kept clear of: {len(self.zones)}."
+        return f"Zones that are kept clear of: {len(self.zones)}."
 
     @cached_property
     def arrays(self) -> tuple[NDArray[np.int64], Array, Array, Array]:

@@ -21,14 +21,8 @@ VALID_TO: Final = datetime(2016, 11, 22, tzinfo=UTC)
 
 def sample_wind() -> Wind:
     """Read the sample: 9 times six hours apart, 52-67 N 7-32 E."""
-    import netCDF4
-
-    with netCDF4.Dataset(resource_path("assets/wind/sample.nc")) as file:
-        time = np.asarray(file["time"][:], dtype=np.float64)
-        lat = np.asarray(file["lat"][:], dtype=np.float64)
-        lon = np.asarray(file["lon"][:], dtype=np.float64)
-        u = np.asarray(file["u10"][:], dtype=np.float32)
-        v = np.asarray(file["v10"][:], dtype=np.float32)
+    with np.load(resource_path("assets/wind/sample.npz")) as file:
+        time, lat, lon, u, v = (file[name] for name in ("time", "lat", "lon", "u10", "v10"))
     valid_from, valid_to, step_h, resolution = describe_grid(time, lat, lon)
     forecast = Forecast(
         source=SOURCE,

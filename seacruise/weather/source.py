@@ -6,21 +6,23 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 from seacruise.errors import InputError, WeatherError
 from seacruise.progress import Job
 from seacruise.settings import Settings
 from seacruise.weather.blend import shares
-from seacruise.weather.cache import Memory, Quota
 from seacruise.weather.currents import with_current
 from seacruise.weather.grids import Place, passage_box
 from seacruise.weather.isolated import read_current_isolated, read_isolated
-from seacruise.weather.points import IsWater
 from seacruise.weather.practice import practice_wind
 from seacruise.weather.sample import VALID_FROM, VALID_TO, sample_wind
 from seacruise.weather.several import mean_of
 from seacruise.weather.wind import Wind, require_cover
+
+if TYPE_CHECKING:
+    from seacruise.weather.cache import Memory, Quota
+    from seacruise.weather.points import IsWater
 
 SERVICE_MARGIN_DEG: Final = 0.75
 """Room around a passage that a service is asked for [degrees]: every request counts."""
@@ -156,7 +158,7 @@ def _automatic(ask: _Ask) -> Wind:
     if ask.settings.stormglass_key:
         ask.job.report("wind", None, "Wind from Storm Glass, because a key is set")
         return _fetch("stormglass", "stormglass", ask)
-    ask.job.report("wind", None, "Wind from Open-Meteo, because STORMGLASS_API_KEY is not set")
+    ask.job.report("wind", None, "Wind from Open-Meteo, because no Storm Glass key is set")
     try:
         return _fetch("open-meteo", "open-meteo", ask)
     except WeatherError as error:
@@ -166,7 +168,7 @@ def _automatic(ask: _Ask) -> Wind:
             raise
         # the rest of the sentence is advice for those who asked for Open-Meteo by name
         clause = str(error).split(";", maxsplit=1)[0].rstrip(".")
-        why = f"It stands in because STORMGLASS_API_KEY is not set and Open-Meteo failed ({clause})."
+        why = f"It stands in because no Storm Glass key is set and Open-Meteo failed ({clause})."
     ask.job.report("wind", None, f"Practice weather, not a forecast. {why}")
     return replace(wind, forecast=replace(wind.forecast, notice=f"{wind.forecast.notice} {why}"))
 
@@ -255,6 +257,7 @@ class WeatherInfo:
 def weather_info(settings: Settings, now: datetime | None = None) -> WeatherInfo:
     """Look at what can be used and what is kept; nothing is sent."""
     from seacruise.weather import metno, openmeteo
+    from seacruise.weather.cache import Memory
     from seacruise.weather.shelf import Shelf
 
     now, settings = now or datetime.now(UTC), settings.with_key()
@@ -267,7 +270,7 @@ def weather_info(settings: Settings, now: datetime | None = None) -> WeatherInfo
     automatic = (
         "Storm Glass, because a key is set"
         if settings.stormglass_key
-        else "Open-Meteo, because STORMGLASS_API_KEY is not set; practice weather when that fails"
+        else "Open-Meteo, because no Storm Glass key is set; practice weather when that fails"
     )
     sources = (
         SourceInfo("auto", True, automatic),

@@ -330,6 +330,7 @@ def describe_grid(time: Array, lat: Array, lon: Array) -> tuple[datetime, dateti
     return (
         datetime.fromtimestamp(float(time[0]), UTC),
         datetime.fromtimestamp(float(time[-1]), UTC),
-        float(np.median(steps)) / 3600.0 if steps.size else 0.0,
+        # `np.median` would load all of `numpy.ma`, and nothing else does.
+        float(np.quantile(steps, 0.5)) / 3600.0 if steps.size else 0.0,
         round(resolution, 4),
     )

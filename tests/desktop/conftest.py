@@ -10,6 +10,7 @@ from itertools import pairwise
 from typing import Any
 
 import pytest
+import shiboken6
 from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QApplication, QLabel
 from pytestqt.qtbot import QtBot
@@ -89,7 +90,6 @@ def make_window(
     def make(*, memory: WindowMemory | None = None, fill: bool = True) -> MainWindow:
         window = MainWindow(settings, planner=planner, fetcher=fetch_at_once, memory=memory)
         windows.append(window)
-        qtbot.addWidget(window)
         if fill:
             window.fill(ASK)
         with qtbot.waitSignal(window.ready, timeout=20_000):
@@ -99,8 +99,9 @@ def make_window(
 
     yield make
     planner.gate.set()
-    for window in windows:
+    for window in filter(shiboken6.isValid, windows):
         window.close()
+        window.deleteLater()
 
 
 @pytest.fixture

@@ -229,4 +229,4 @@ def test_switched_on_found_adopted_and_dropped(
     assert window.steering.via is None
     window.menus.layers["others"].setChecked(False)
     assert not view.others.ways
-    assert not window.layers.ways.jobs.is_running
+    assert not window.layers.ways.islands.jobs.is_running

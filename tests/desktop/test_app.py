@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
+import errno
+import io
+import logging
 import subprocess
 import sys
+from logging.handlers import RotatingFileHandler
 from pathlib import Path
 
 import pytest
 from PySide6.QtGui import QImage
+
+from seacruise.desktop.app import _LogFile
 
 REPOSITORY = Path(__file__).resolve().parents[2]
 
@@ -89,3 +95,24 @@ print(sys.getrefcount(None) - before)
     answer = run("-c", code)
     assert answer.returncode == 0, answer.stderr
     assert abs(int(answer.stdout)) < 200
+
+
+def test_a_log_that_cannot_be_written_is_nobodys_trouble(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    class FullDisk(io.StringIO):
+        def write(self, _text: str) -> int:
+            raise OSError(errno.ENOSPC, "No space left on device")
+
+        def flush(self) -> None:
+            self.write("")
+
+        def close(self) -> None:
+            self.write("")
+
+    monkeypatch.setattr(RotatingFileHandler, "_open", lambda _handler: FullDisk())
+    file = _LogFile(tmp_path / "seacruise.log")
+    for _ in range(3):
+        file.handle(logging.makeLogRecord({"msg": "something", "levelno": logging.WARNING}))
+    file.close()
+    assert capsys.readouterr().err == ""

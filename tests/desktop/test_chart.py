@@ -330,6 +330,25 @@ def test_trouble_is_marked(view: ChartView, qtbot: QtBot) -> None:
     assert colour_at(view, 57.0, 19.9) == palette.DAY.water
 
 
+def test_a_mark_of_trouble_covers_no_name(view: ChartView, qtbot: QtBot) -> None:
+    view.ports.show_ports([Port("Visby", "SE", 57.64, 18.28)])
+    view.ports.choose({"to": Port("Gdynia", "PL", 57.2, 19.9)})
+    view.fit(rectangle(56.9, 17.6, 58.1, 20.6))
+    settle(view, qtbot)
+    view.grab()
+    before = QRectF(view.ports.labels.kept["to"])
+    at = view.viewportTransform().map(point(57.2, 19.9)) + QPointF(30.0, 0.0)
+    view.trouble.mark(view.position_at(at))
+    view.grab()
+    (mark,) = view.trouble.taken(view.viewportTransform())
+    assert before.intersects(mark)
+    assert not view.ports.labels.kept["to"].intersects(mark)
+    assert not view.ports.labels.is_free(mark)
+    view.trouble.mark(None)
+    view.grab()
+    assert view.ports.labels.kept["to"] == before
+
+
 def test_the_lattice_darkens_the_water(view: ChartView, qtbot: QtBot) -> None:
     view.fit(rectangle(56.9, 19.6, 57.1, 20.2))
     settle(view, qtbot)

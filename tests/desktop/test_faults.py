@@ -28,6 +28,7 @@ from seacruise import cli
 from seacruise.desktop.app import _faults_shown
 from seacruise.desktop.departure_field import DepartureField
 from seacruise.desktop.state import Horizon, Phase
+from seacruise.desktop.succession import Succession
 from seacruise.desktop.units_choice import in_zone, units_choice
 from seacruise.desktop.window import MainWindow
 from seacruise.errors import InputError
@@ -280,11 +281,13 @@ def test_K_resize_and_zoom_during_run(window: MainWindow, planner: HeldPlanner, 
 
 
 @pytest.mark.qt_no_exception_capture
-def test_K_exception_in_a_slot(answered: MainWindow, qtbot: QtBot, caplog: pytest.LogCaptureFixture) -> None:
+def test_K_exception_in_a_slot(
+    app: QApplication, answered: MainWindow, qtbot: QtBot, caplog: pytest.LogCaptureFixture
+) -> None:
     def broken() -> None:
         raise KeyError("slot")
 
-    with _faults_shown(answered):
+    with _faults_shown(Succession(app, answered)):
         QTimer.singleShot(0, broken)
         qtbot.waitUntil(lambda: "KeyError" in texts_of(answered))
     assert "A slot broke" in caplog.text

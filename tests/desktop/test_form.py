@@ -149,6 +149,11 @@ def test_a_time_with_an_offset_is_shown_in_utc(departure: DepartureField) -> Non
 def test_a_day_is_picked_in_the_calendar(departure: DepartureField) -> None:
     departure.calendar_button.click()
     assert departure.popup.isVisible()
+    ink = {
+        day: departure.calendar.dateTextFormat(QDate(2016, 11, day)).foreground().color().name()
+        for day in (18, 21, 24)
+    }
+    assert ink[18] == ink[24] != ink[21], "days without a forecast are grey"
     departure.calendar.clicked.emit(QDate(2016, 11, 21))
     assert not departure.popup.isVisible()
     assert departure.moment == datetime(2016, 11, 21, 10, tzinfo=UTC)

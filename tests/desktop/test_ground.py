@@ -250,7 +250,7 @@ def test_everything_is_read_on_every_tint(app: QApplication, colours: Palette) -
     by_night = colours is NIGHT
     for tint in colours.depths:
         assert contrast(colours.ink, tint) >= (4.2 if by_night else 4.5), "names"
-        assert contrast(colours.barb, tint) >= (2.4 if by_night else 4.5), "barbs"
+        assert contrast(colours.barb, tint) >= (3.0 if by_night else 4.5), "barbs"
         assert contrast(colours.keel, tint) >= (2.3 if by_night else 4.5), "rim of the route"
         assert contrast(colours.magenta, tint) >= 3.0
         assert contrast(colours.isochrone, tint) >= (2.7 if by_night else 3.0)

@@ -21,6 +21,26 @@ from seacruise.errors import CancelledError, WeatherError
 from seacruise.progress import Job
 
 
+def test_what_breaks_after_it_was_cancelled_is_no_fault(
+    qtbot: QtBot, caplog: pytest.LogCaptureFixture
+) -> None:
+    runner = JobRunner("late")
+    begun, gate = threading.Event(), threading.Event()
+
+    def work(_job: Job) -> None:
+        begun.set()
+        assert gate.wait(10)
+        raise RuntimeError("cannot schedule new futures after shutdown")
+
+    runner.run_job(work)
+    assert begun.wait(10)
+    runner.cancel()
+    gate.set()
+    runner.shut_down()
+    assert not runner.has_workers
+    assert not caplog.records
+
+
 def test_a_result_arrives_on_the_windows_thread(qtbot: QtBot) -> None:
     runner, threads = JobRunner("test"), []
     runner.finished.connect(lambda *_: threads.append(threading.current_thread()))

@@ -101,20 +101,29 @@ def test_polish_writes_numbers_days_and_buttons_its_own_way() -> None:
     assert buttons.button(QDialogButtonBox.StandardButton.Cancel).text().replace("&", "") == "Anuluj"
 
 
+@pytest.mark.usefixtures("polish")
+@pytest.mark.parametrize("why", ["No space left on device", "no space left on device"])
+def test_what_the_system_says_is_no_sentence_of_the_core(why: str) -> None:
+    text = f"(GPX file) cannot be written to here.gpx: {why}; choose another place, or free some space there."
+    said = language.sentence(text)
+    assert "brak: space" not in said.lower()
+    assert "space left on device" in said or "miejsca" in said
+
+
 SNAPPED = (
     "The passage begins 1.3 nm from Gdynia, at the nearest water of the chart that is connected with the "
-    "open sea. Zones of your layers that are kept clear of: 3."
+    "open sea. Zones that are kept clear of: 3."
 )
 SNAPPED_PL = (
-    "Trasa zaczyna się 1,3 Mm od Gdynia, na najbliższej wodzie mapy połączonej z otwartym morzem. "
-    "Omijane strefy z twoich warstw: 3."
+    "Trasa zaczyna się 1,3 Mm od punktu Gdynia, na najbliższej wodzie mapy połączonej z otwartym morzem. "
+    "Omijane strefy: 3."
 )
 FAILED = (
-    "Practice weather, not a forecast. It stands in because STORMGLASS_API_KEY is not set and Open-Meteo "
+    "Practice weather, not a forecast. It stands in because no Storm Glass key is set and Open-Meteo "
     "failed (Open-Meteo did not answer within 20 seconds; try again, or plan with practice weather.)."
 )
 FAILED_PL = (
-    "Pogoda ćwiczebna, to nie prognoza. Zastępuje prognozę, bo STORMGLASS_API_KEY nie jest ustawiony, a "
+    "Pogoda ćwiczebna, to nie prognoza. Zastępuje prognozę, bo nie ma klucza Storm Glass, a "
     "Open-Meteo zawiodło (Open-Meteo nie odpowiada od 20 s; spróbuj ponownie albo planuj z pogodą "
     "ćwiczebną.)."
 )
@@ -128,7 +137,7 @@ POLAR = (
     "polar file."
 )
 POLAR_PL = (
-    "a.csv, wiersz 1, komórka 3: prędkości wiatru muszą rosnąć, a 6 w. jest po 8; popraw to albo wybierz "
+    "a.csv, wiersz 1, komórka 3: prędkości wiatru muszą rosnąć, a 6 kn jest po 8; popraw to albo wybierz "
     "inny plik biegunowej."
 )
 
@@ -187,7 +196,7 @@ def test_a_sentence_costs_next_to_nothing() -> None:
 
 ENGLISH = re.compile(
     r"\b(the|and|of|with|is|are|from|for|not|you|your|this|that|which|when|where|wind|passage|forecast|yacht|"
-    r"departure|arrival|hours?|days?|save|open|close|cancel|show|search|kn|nm)\b",
+    r"departure|arrival|hours?|days?|save|open|close|cancel|show|search|nm)\b",
     re.IGNORECASE,
 )
 # Names of things that are called so everywhere.
@@ -298,7 +307,7 @@ def test_errors_are_polish(
     with qtbot.waitSignal(window.settled, timeout=20_000):
         window.calculate()
     said = [label.text() for label in window.side.findChildren(QLabel)]
-    assert "Nie ma trasy: za silny wiatr" in said
-    told = "Każda droga prowadzi przez wiatr silniejszy niż dopuszczone 20,0 w.; wyjdź o innej porze albo "
+    assert "Brak trasy: za silny wiatr" in said
+    told = "Każda droga prowadzi przez wiatr silniejszy niż dopuszczone 20,0 kn; wyjdź o innej porze albo "
     assert told + "podnieś ograniczenie." in said
     assert english_in(window.side, set()) == []

@@ -19,7 +19,7 @@ from seacruise.desktop.compute import Answer
 from seacruise.desktop.follow import QUICK_S
 from seacruise.desktop.state import Phase
 from seacruise.desktop.window import MainWindow
-from seacruise.errors import NoPassageError
+from seacruise.errors import InputError, NoPassageError
 from seacruise.passage import Passage, PassageRequest
 from seacruise.progress import Job
 from seacruise.settings import Settings
@@ -224,6 +224,23 @@ def test_following_can_be_switched_off(live: MainWindow, steady: SteadyPlanner, 
     qtbot.wait(50)
     assert not steady.requests
     assert not live.steering.router.is_busy
+
+
+def test_a_trouble_of_a_dropped_file_outlives_what_follows_the_hand(
+    live: MainWindow, steady: SteadyPlanner, qtbot: QtBot
+) -> None:
+    live.background.troubled.emit(InputError("bad.csv is no polar; choose another file."))
+    assert "bad.csv" in texts_of(live)
+    before = len(steady.requests)
+    live.form.departure.set_moment(live.form.departure.moment + timedelta(hours=2), chosen=True)
+    live.form.sailing_changed.emit()
+    qtbot.waitUntil(
+        lambda: len(steady.requests) > before and not live.steering.router.is_busy, timeout=20_000
+    )
+    assert "bad.csv" in texts_of(live)
+    with qtbot.waitSignal(live.settled, timeout=20_000):
+        live.calculate()
+    assert "bad.csv" not in texts_of(live)
 
 
 def test_another_forecast_is_never_fetched_by_a_drag(

@@ -53,6 +53,7 @@ SAID = {
     "board_h": 2.0,
     "most_turns": 12,
     "beyond": "fade",
+    "currents": False,
 }
 """Options of the command line, none at its default but the preset."""
 
@@ -301,6 +302,27 @@ def test_the_dialog_sets_and_shows(window: MainWindow) -> None:
     assert (form.options().most_turns, form.options().max_gust_kn) == (None, None)
     form.percent_box.setValue(80.0)
     assert percent.value() == 80.0
+
+
+def test_a_forecast_without_a_current_says_so_beside_the_switch(
+    answered: MainWindow, planner: HeldPlanner
+) -> None:
+    model, dialog = answered.form.sailing, answered.form.options_bar.dialog
+    dialog.show()
+    box = dialog.fields["currents"]
+    reason = next(one for one in dialog.findChildren(QLabel) if one.text().endswith("has no current."))
+    assert isinstance(box, QCheckBox)
+    assert model.has_current is False
+    assert not box.isEnabled()
+    assert reason.isVisible()
+    assert box.toolTip() == reason.text()
+    answered.form.set_forecast(("practice",))
+    assert box.isEnabled(), "not known yet"
+    assert not reason.isVisible()
+    model.learn_current(True)
+    box.click()
+    assert not answered.form.options().currents
+    assert "without currents" in answered.form.options_bar.summary.text()
 
 
 @pytest.mark.parametrize(

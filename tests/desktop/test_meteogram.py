@@ -284,6 +284,21 @@ def test_slider_and_tables_are_at_the_same_place(pane: PassagePane, passage: Pas
     assert pane.now.text().startswith("Mon ") or pane.now.text().startswith("Tue ")
 
 
+def test_what_is_said_of_the_moment_is_never_cut_without_a_sign(
+    pane: PassagePane, passage: Passage, qtbot: QtBot
+) -> None:
+    pane.show_answer(answer_of(passage))
+    whole = pane.now.text()
+    pane.resize(520, 300)
+    pane.show()
+    qtbot.waitExposed(pane)
+    assert pane.now.shown.endswith("…")
+    assert pane.now.toolTip() == whole
+    pane.resize(1500, 300)
+    qtbot.waitUntil(lambda: pane.now.shown == whole, timeout=2_000)
+    assert not pane.now.toolTip()
+
+
 def test_an_entry_of_the_log_leads_to_its_moment(pane: PassagePane, passage: Passage, qtbot: QtBot) -> None:
     pane.show_answer(answer_of(passage))
     pane.show_page("log")

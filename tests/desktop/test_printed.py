@@ -73,6 +73,13 @@ def test_texts_are_literals_that_the_tools_find() -> None:
     assert [ast.literal_eval(call.args[1]) for call in marked] == list(TEXTS)
 
 
+def test_in_polish_the_longest_line_of_the_summary_is_not_cut(polish: None) -> None:
+    told = paper_words().fill(
+        "tacks {tacks}, gybes {gybes}, course changes {changes}", tacks=179, gybes=102, changes=347
+    )
+    assert len(told) <= 52, "what is longer ends in ..."
+
+
 def test_in_polish_the_sheet_is_polish_and_nothing_lies_over_another(passage: Passage, polish: None) -> None:
     from matplotlib.backends.backend_agg import FigureCanvasAgg
 

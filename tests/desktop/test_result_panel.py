@@ -68,6 +68,17 @@ def test_gusts_are_told_where_the_forecast_has_them(passage: Passage) -> None:
     assert float(gusts.removesuffix(" kn")) == pytest.approx(1.4 * float(told), abs=1.5)
 
 
+@pytest.mark.parametrize(("times", "name"), [(1.0, ""), (2.0, "fault")])
+def test_a_near_gale_is_told_in_red(panel: ResultPanel, passage: Passage, times: float, name: str) -> None:
+    track = replace(passage.track, tws_kn=passage.track.tws_kn * times)
+    panel.show_passage(
+        replace(passage, track=track, max_tws_kn=passage.max_tws_kn * times), NOW, earlier=False
+    )
+    (value,) = [right for left, right in panel._rows if left.text() == "Strongest wind"]
+    assert value.objectName() == name
+    assert "Beaufort" in value.toolTip()
+
+
 def test_engine_and_held_wind_are_told_only_when_there_are_any(passage: Passage) -> None:
     sailed = replace(passage, motor_h=0.0, beyond_forecast_h=3.0)
     names = [fact.name for fact in facts_of(sailed, "Visby", None)]

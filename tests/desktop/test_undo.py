@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+import gc
 from collections.abc import Callable
 from dataclasses import replace
 from datetime import timedelta
@@ -11,7 +12,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
-from seacruise.desktop.undo import Asked, History, differences, name_of
+from seacruise.desktop.undo import Asked, History, _Step, differences, name_of
 from seacruise.desktop.window import MainWindow
 from seacruise.passage import Options
 from seacruise.ports import Port
@@ -149,6 +150,19 @@ def test_a_drag_of_the_departure_is_one_step(window: MainWindow) -> None:
     assert window.form.departure.moment == DEPARTURE + timedelta(hours=7)
     stack.undo()
     assert window.form.departure.moment == DEPARTURE
+
+
+def test_a_long_drag_leaves_nothing_but_its_step(window: MainWindow) -> None:
+    bar, stack = window.chart.time_bar, window.history.stack
+    for minutes in range(6, 306, 6):
+        bar.departure_moved.emit(DEPARTURE + timedelta(minutes=minutes))
+        QApplication.processEvents()
+    bar.departure_settled.emit()
+    gc.collect()
+    assert stack.count() == 1
+    steps = [one for one in gc.get_objects() if isinstance(one, _Step)]
+    mine = [one for one in steps if one._history is window.history]
+    assert len(mine) == 1, "of a step that Qt merges PySide6 never lets go"
 
 
 def test_a_drag_on_the_chart_is_one_step(window: MainWindow) -> None:

@@ -34,7 +34,9 @@ from seacruise.cli import main
 
 
 def main_window() -> QMainWindow:
-    return next(w for w in QApplication.topLevelWidgets() if isinstance(w, QMainWindow))
+    windows = [w for w in QApplication.topLevelWidgets() if isinstance(w, QMainWindow)]
+    # One that another takes the place of is hidden, and gone soon.
+    return next((w for w in windows if w.isVisible()), windows[0])
 
 
 def find(path: str) -> Any:

@@ -276,6 +276,38 @@ def leave(program: Program) -> None:
     assert "Traceback" not in error
 
 
+# -------------------------------------------------------------------------------------------- language
+
+
+def test_another_language_while_it_computes(
+    start: Callable[..., Program], screen: Screen, home: Path, tmp_path: Path
+) -> None:
+    screen.env.pop("SEACRUISE_LANGUAGE", None)
+    program = start(
+        "--from", "Gdynia", "--to", "Luleå", "--forecast", "sample", "--depart", "2016-11-20T06:00Z"
+    )
+    program.wait("the yachts", lambda: program.ask("form.yacht_box")["currentText"])
+    screen.keys("ctrl+Return")
+    program.wait("it computes", lambda: program.ask("state.phase") in {"computing", "route"})
+    # By its letters: View, Language, the third entry.
+    screen.keys("alt+v")
+    program.wait("the menu", lambda: program.ask("@popup")["visible"])
+    screen.keys("a")
+    screen.keys("3")
+    program.wait_for("form.calculate_button.text", CALCULATE["pl"])
+    program.wait_for("state.phase", "route")
+    assert program.ask("form.end_field")["text"] == "Luleå"
+    assert float(program.ask("state.answer.passage.duration_h")) > 24.0
+    wait_until_calm(program)
+    Camera(program, Path(os.environ.get("SEACRUISE_SHOTS", tmp_path)), "pl").shoot("switched")
+    program.window = str(program.ask("centralWidget")["window"])
+    leave(program)
+    again = start()
+    again.wait("the yachts", lambda: again.ask("form.yacht_box")["currentText"])
+    assert again.ask("form.calculate_button.text") == CALCULATE["pl"], "kept for the next start"
+    leave(again)
+
+
 # --------------------------------------------------------------------------------------------- closing
 
 

@@ -10,8 +10,10 @@ import numpy as np
 import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
+from matplotlib.legend import Legend
 
 from seacruise.export import chart, chartlabels, chartwork
+from seacruise.export.beside import Beside, draw_beside
 from seacruise.passage import Passage, Track
 from seacruise.ports import load_ports
 from tests.passages import veering_wind
@@ -207,3 +209,35 @@ def test_where_land_is_cut_no_shore_is_drawn() -> None:
     }
     assert all(not (a[0] == b[0] == 1.0) for a, b in drawn)
     assert ((0.5, 0.8), (0.5, 0.5)) in drawn or ((0.5, 0.5), (0.5, 0.8)) in drawn
+
+
+# --- what lies beside the passage ----------------------------------------------------------------------
+
+
+def test_members_and_other_ways_are_drawn_under_it_and_named_clear_of_it(passage: Passage) -> None:
+    line = np.array([[w.lat, w.lon] for w in passage.waypoints])
+    members = tuple(line + np.array([0.0, 0.1 * k]) for k in range(3))
+    ways = (("east of Gotland, 51 h 46 min", line + np.array([0.0, 1.5])),)
+    frame = chartwork.frame_of(passage.track.lon, passage.track.lat)
+    _, axes = chartwork.canvas(frame)
+    track = chartwork.draw_passage(axes, passage)
+    (box,) = draw_beside(axes, Beside(members, ways), passage)
+    told = axes.get_legend()
+    assert told is not None
+    assert [text.get_text() for text in told.get_texts()] == ["fastest in each of 3 members", ways[0][0]]
+    drawn = [artist for artist in axes.get_lines() if artist.get_zorder() == 4]
+    assert len(drawn) == 4
+    assert all(artist.get_zorder() < track.get_zorder() for artist in drawn)
+    places = axes.transData.transform(
+        np.column_stack([passage.track.lon, chartwork.mercator(passage.track.lat)])
+    )
+    ends = places[[0, -1]]
+    assert not any(box.contains(*end) for end in ends)
+    engine = [one for one in axes.artists if isinstance(one, Legend)]
+    assert [text.get_text() for one in engine for text in one.get_texts()] == ["under engine"]
+
+
+def test_with_nothing_beside_the_picture_is_what_it_was(passage: Passage) -> None:
+    assert chart.chart(passage) == chart.chart(passage, beside=Beside())
+    line = np.array([[w.lat, w.lon] for w in passage.waypoints])
+    assert chart.chart(passage) != chart.chart(passage, beside=Beside((line + 0.1,)))

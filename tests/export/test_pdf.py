@@ -15,6 +15,7 @@ import pytest
 
 from seacruise import cli
 from seacruise.errors import InputError
+from seacruise.export.chartwork import INK, MAGENTA
 from seacruise.export.paper import HEIGHT_IN, WIDTH_IN
 from seacruise.export.pdf import NOT_A_CHART, pages, pdf, write_pdf
 from seacruise.narrative import tell
@@ -96,8 +97,7 @@ def test_a_common_passage_takes_two_pages(passage: Passage) -> None:
     assert len(legs_of(book)) == len(passage.waypoints)
     first = " ".join(written(book[0]))
     for part in (
-        "Gdynia - Sandhamn",
-        "43 h 17 min",
+        "Gdynia – Sandhamn: 43 h 17 min",
         passage.yacht,
         "Strongest wind",
         "At night",
@@ -289,3 +289,18 @@ def test_the_wind_after_the_forecast_is_named_as_it_was_sailed(
     late = replace(passage, beyond=beyond, beyond_forecast_h=3.0)
     texts = written(pages(late, wind=veering_wind())[0])
     assert {text for text in texts if text.endswith(" wind")} & {"Held wind", "Fading wind"} == {name}
+
+
+@pytest.mark.parametrize(("hours", "color"), [(3.0, INK), (20.0, MAGENTA)])
+def test_much_of_it_beyond_the_forecast_is_told_as_a_warning(
+    passage: Passage, hours: float, color: str
+) -> None:
+    page = pages(replace(passage, beyond_forecast_h=hours), wind=veering_wind())[0]
+    (told,) = [text for text in page.texts if text.get_text().endswith(" beyond the forecast")]
+    assert told.get_color() == color
+
+
+@pytest.mark.parametrize(("hours", "head"), [(47.0, "47 h 00 min"), (50.5, "50 h 30 min (2 d 2 h)")])
+def test_a_long_duration_is_told_in_days_too(passage: Passage, hours: float, head: str) -> None:
+    late = replace(passage, arrival=passage.departure + timedelta(hours=hours))
+    assert f"Gdynia – Sandhamn: {head}" in written(pages(late, wind=veering_wind())[0])

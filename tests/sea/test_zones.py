@@ -119,7 +119,7 @@ def test_a_passage_goes_around_a_zone(settings: Settings, tmp_path: Path) -> Non
     assert shapely.LineString(np.stack([free.track.lon, free.track.lat], axis=1)).intersects(
         shapely.Polygon(BOX)
     )
-    assert any("Zones of your layers" in notice for notice in around.notices)
+    assert any("Zones that are kept clear of" in notice for notice in around.notices)
 
 
 def test_a_zone_that_is_not_valid_yet_or_any_more_changes_nothing(settings: Settings, tmp_path: Path) -> None:

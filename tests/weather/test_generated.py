@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from datetime import UTC, datetime, timedelta
+from typing import Any
 
 import netCDF4
 import numpy as np
 import pytest
 
+from seacruise.resources import resource_path
 from seacruise.weather.practice import practice_wind
 from seacruise.weather.sample import VALID_FROM, VALID_TO, sample_wind
 from seacruise.weather.wind import to_direction
@@ -71,6 +73,21 @@ def test_the_sample_is_the_real_weather_of_november_2016() -> None:
     assert wind.lat[0] == 52.0
     speed, _ = to_direction(wind.u, wind.v)
     assert float(speed.max()) == pytest.approx(22.8, abs=0.1)
+
+
+def test_the_arrays_of_the_sample_are_those_of_its_file() -> None:
+    wind = sample_wind()
+    with netCDF4.Dataset(resource_path("assets/wind/sample.nc")) as file:
+        ours: dict[str, Any] = {
+            "time": wind.time,
+            "lat": wind.lat,
+            "lon": wind.lon,
+            "u10": wind.u,
+            "v10": wind.v,
+        }
+        for name, values in ours.items():
+            np.testing.assert_array_equal(values, np.asarray(file[name][:], dtype=values.dtype))
+    assert wind.u.dtype == np.float32
 
 
 def test_the_sample_is_what_the_source_said() -> None:

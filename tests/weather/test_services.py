@@ -85,7 +85,7 @@ def test_auto_without_a_network_is_practice_and_says_so(capsys: pytest.CaptureFi
     # nothing to wait for: the connection is refused
     assert time.monotonic() - begin < 20.0
     out, err = capsys.readouterr()
-    assert "Wind from Open-Meteo, because STORMGLASS_API_KEY is not set" in err
+    assert "Wind from Open-Meteo, because no Storm Glass key is set" in err
     assert "Open-Meteo failed (Open-Meteo cannot be reached)" in out
     assert out.startswith("Practice weather - generated, not a forecast")
 

@@ -71,7 +71,7 @@ def test_auto_is_open_meteo_without_a_key_and_says_why(settings: Settings) -> No
         wind = get(there, "auto", job=Job(report=lambda stage, fraction, message: told.append(message)))
     assert wind.forecast.source == "Open-Meteo"
     assert wind.forecast.real
-    assert told[0] == "Wind from Open-Meteo, because STORMGLASS_API_KEY is not set"
+    assert told[0] == "Wind from Open-Meteo, because no Storm Glass key is set"
     assert wind.covers([GDYNIA[0], STOCKHOLM[0]], [GDYNIA[1], STOCKHOLM[1]]).all()
 
 
@@ -81,11 +81,10 @@ def test_auto_is_practice_without_a_network_and_says_why(settings: Settings) -> 
     assert "Practice" in wind.forecast.source
     assert not wind.forecast.real
     why = (
-        "It stands in because STORMGLASS_API_KEY is not set and Open-Meteo failed "
-        "(Open-Meteo cannot be reached)."
+        "It stands in because no Storm Glass key is set and Open-Meteo failed (Open-Meteo cannot be reached)."
     )
     assert wind.forecast.notice == f"Practice weather: generated, not a forecast. {why}"
-    assert told[0] == "Wind from Open-Meteo, because STORMGLASS_API_KEY is not set"
+    assert told[0] == "Wind from Open-Meteo, because no Storm Glass key is set"
     assert told[-1] == f"Practice weather, not a forecast. {why}"
 
 

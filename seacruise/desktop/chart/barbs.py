@@ -13,8 +13,8 @@ from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QLineF, QPointF, QSize, Qt
-from PySide6.QtGui import QColor, QPainter, QPen, QPixmap, QPolygonF, QRegion
+from PySide6.QtCore import QPointF, QSize, Qt
+from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen, QPixmap, QPolygonF, QRegion
 
 SHAFT_PX: Final = 30.0
 _FEATHER_PX: Final = 11.0
@@ -101,7 +101,9 @@ class BarbSprites:
         self, fives: int, direction: int, *, side: int, density: float
     ) -> tuple[QPixmap, float, float]:
         """Picture, and from its left and upper edge to the station [pixels]."""
-        key = (fives, 0 if fives == 0 else direction, side, density)
+        # A calm has no direction; its circle, turned, would be another by a hair.
+        direction = direction if fives else 0
+        key = (fives, direction, side, density)
         if (known := self._sprites.get(key)) is not None:
             return known
         pixmap = QPixmap(QSize(_SIDE_PX, _SIDE_PX) * density)
@@ -112,7 +114,7 @@ class BarbSprites:
         painter.translate(_SIDE_PX / 2, _SIDE_PX / 2)
         painter.rotate(direction * 360.0 / _DIRECTIONS)
         for colour, width in ((self._halo, 3.4), (self._colour, 1.5)):
-            _stroke(painter, make_barb(fives, side), colour, width)
+            _stroke(painter, fives, side, colour, width)
         painter.end()
         # Blending what is empty would take most of the time of the layer.
         box = QRegion(pixmap.mask()).boundingRect()
@@ -121,6 +123,12 @@ class BarbSprites:
         middle = _SIDE_PX / 2
         made = self._sprites[key] = (cut, middle - box.left() / density, middle - box.top() / density)
         return made
+
+
+@lru_cache(maxsize=8)
+def barb_sprites(colour: int, halo: int, opacity: float = 1.0) -> BarbSprites:
+    """Pictures in some colours (``0xAARRGGBB``), kept for when a light is put on again."""
+    return BarbSprites(QColor.fromRgba(colour), QColor.fromRgba(halo), opacity)
 
 
 def _faded(picture: QPixmap, opacity: float) -> QPixmap:
@@ -133,14 +141,25 @@ def _faded(picture: QPixmap, opacity: float) -> QPixmap:
     return picture
 
 
-def _stroke(painter: QPainter, barb: Barb, colour: QColor, width: float) -> None:
+@lru_cache(maxsize=64)
+def _lines(fives: int, side: int) -> QPainterPath:
+    """Lines of a barb in one path, which is drawn in two thirds of the time that they take."""
+    path = QPainterPath()
+    for x1, y1, x2, y2 in make_barb(fives, side).lines:
+        path.moveTo(x1, y1)
+        path.lineTo(x2, y2)
+    return path
+
+
+def _stroke(painter: QPainter, fives: int, side: int, colour: QColor, width: float) -> None:
+    barb = make_barb(fives, side)
     pen = QPen(colour, width, Qt.PenStyle.SolidLine, Qt.PenCapStyle.RoundCap, Qt.PenJoinStyle.RoundJoin)
     painter.setPen(pen)
     if barb.calm:
         painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.drawEllipse(QPointF(0, 0), 4.0, 4.0)
         return
-    painter.drawLines([QLineF(*line) for line in barb.lines])
+    painter.strokePath(_lines(fives, side), pen)
     painter.setBrush(colour)
     for triangle in barb.pennants:
         painter.drawPolygon(QPolygonF([QPointF(*corner) for corner in triangle]))

@@ -15,6 +15,7 @@ from seacruise.desktop.chart.depth_layer import strength
 from seacruise.desktop.chart.layer import Layer
 from seacruise.desktop.chart.palette import Palette
 from seacruise.desktop.chart.plane import point
+from seacruise.desktop.chart.turns import PoliteJob, Turns
 from seacruise.sea.depth import chart_depths
 
 if TYPE_CHECKING:
@@ -36,8 +37,11 @@ class CoastLayer(Layer):
         Called when there is a new picture.
     """
 
+    by_strips = True
+
     def __init__(self, bounds: QRectF, runner: JobRunner, on_painted: Callable[[], None]) -> None:
         super().__init__(bounds)
+        self.turns = Turns()
         self._runner = runner
         self._on_painted = on_painted
         self._painter = Painter()
@@ -110,11 +114,11 @@ class CoastLayer(Layer):
             colours=self.colours,
             depths=self._depths,
         )
-        painter, lattice = self._painter, self._lattice
+        painter, lattice, turns = self._painter, self._lattice, self.turns
         self._wanted, self._stale = extent, False
 
         def work(job: Job) -> Any:
-            return painter.paint(extent, lattice, job)
+            return painter.paint(extent, lattice, PoliteJob(job.report, job.cancel, turns))
 
         self._runner.run_job(work)
 

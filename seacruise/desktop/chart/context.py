@@ -34,6 +34,13 @@ def open_menu(view: ChartView, lat: float, lon: float, at: QPoint) -> QMenu:
         _add(menu, _tr("Sail &direct again"), view.via_dropped.emit)
     for way in view.others.ways if view.others.isVisible() else ():
         _add(menu, _tr("Sail {way}").format(way=way.text), partial(view.way_picked.emit, way))
+    if view.members.bundle is not None:
+        from seacruise.desktop.members import spread_text
+
+        text = _tr("In {n} members: {hours}").format(
+            n=len(view.members.bundle.members), hours=spread_text(view.members.bundle.duration_h)
+        )
+        menu.addAction(text).setEnabled(False)
     menu.addSeparator()
     avoid = menu.addMenu(_tr("&Avoid this area"))
     for radius in RADII_NM:

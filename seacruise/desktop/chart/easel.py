@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QObject, QRectF, QSizeF, QTimer
-from PySide6.QtGui import QFont, QPainter, QTransform
+from PySide6.QtGui import QFont, QPainter, QPixmap, QTransform
 
 from seacruise.desktop.chart.labels import Box, Labels, edges
 from seacruise.desktop.chart.layer import Layer
@@ -24,6 +24,9 @@ _REST_S: Final = 0.12
 
 _CALM_MS: Final = 200
 """A chart on which nothing has changed for so long gets a sheet, for the next time it is moved."""
+
+_IDLE_MS: Final = 5000
+"""So long the memory of a sheet that is out of date is kept for the next one."""
 
 _MARGIN: Final = 0.2
 """How much more than the view a sheet shows to each side."""
@@ -84,6 +87,7 @@ class Easel(QObject):
             layer.on_update = view.viewport().update
         self._sheet: Sheet | None = None
         self._next: SheetPainter | None = None
+        self._used: QPixmap | None = None
         self._weather = (*stack.ground, *stack.weather)
         self._under = Group(self._weather, opaque=True)
         self._over = Group(stack.lying, opaque=False)
@@ -93,6 +97,7 @@ class Easel(QObject):
         self._rest = self._timer(round(1e3 * _REST_S) + 10, self._rested)
         self._calm = self._timer(_CALM_MS, self._calmed)
         self._work = self._timer(0, self._step)
+        self._idle = self._timer(_IDLE_MS, self._forget_used)
 
     def _timer(self, interval_ms: int, call: object) -> QTimer:
         timer = QTimer(self)
@@ -118,6 +123,9 @@ class Easel(QObject):
         self._moved_at = time.monotonic()
         self._rest.start()
 
+    def _forget_used(self) -> None:
+        self._used = None
+
     def _rested(self) -> None:
         if self.is_moving:
             self._rest.start()
@@ -134,6 +142,10 @@ class Easel(QObject):
         taken
             Places that lie under something else.
         """
+        with self._view.coast.turns.drawing():
+            self._paint(painter, taken)
+
+    def _paint(self, painter: QPainter, taken: Sequence[QRectF]) -> None:
         to_pixels, room = self._view.viewportTransform(), QRectF(self._view.viewport().rect())
         sheet = self._fitting(to_pixels, room) if self.is_moving else None
         self._taken = taken
@@ -218,10 +230,11 @@ class Easel(QObject):
             return
         if known is not None and self._is_of_now(known, to_pixels) and self._lasts(known, to_pixels, room):
             return
+        used = self._used if self._next is None else self._next.sheet.picture
         left, top = round(_MARGIN * room.width()), round(_MARGIN * room.height())
         size = QSizeF(room.width() + 2 * left, room.height() + 2 * top)
         sheet = Sheet(
-            blank(size, self._view.devicePixelRatioF()),
+            blank(size, self._view.devicePixelRatioF(), used),
             to_pixels * QTransform.fromTranslate(left, top),
             size,
             self._state(self._stack.ground),
@@ -229,20 +242,29 @@ class Easel(QObject):
         )
         layers = (*self._stack.ground, *self._movable)
         self._next = SheetPainter(sheet, layers, self._view.viewport().font(), self._reserve)
+        self._used = None
         self._work.start()
 
     def _step(self) -> None:
-        """Paint a layer of the next sheet; one of what is no longer so is given up."""
+        """Paint a part of the next sheet; one of what is no longer so is given up."""
         work = self._next
         if work is None:
             return
-        if work.sheet.lying != self._state(self._movable):
-            self._next = None
+        lying, ground = self._state(self._movable), self._state(self._stack.ground)
+        if work.sheet.lying != lying or (work.sheet.ground != ground and not work.has(self._stack.ground)):
+            self._next, self._used = None, work.sheet.picture
             self._calm.start()
-        elif work.step():
-            self._next, self._sheet = None, work.sheet
-        else:
+            if work.sheet.lying == lying:
+                self._prepare()
+            return
+        with self._view.coast.turns.drawing():
+            done = work.step()
+        if not done:
             self._work.start()
+            return
+        self._used = self._sheet.picture if self._sheet is not None else None
+        self._idle.start()
+        self._next, self._sheet = None, work.sheet
 
 
 def _wider(room: QRectF, share: float) -> QRectF:

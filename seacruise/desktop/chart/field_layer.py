@@ -54,6 +54,8 @@ def field_table(alpha: int) -> NDArray[np.uint8]:
 class FieldLayer(Layer):
     """Field of a wind at a time; painted for more than the view, so that panning moves a picture only."""
 
+    by_strips = True
+
     def __init__(self, bounds: QRectF) -> None:
         super().__init__(bounds)
         self._wind: Wind | None = None
@@ -78,6 +80,20 @@ class FieldLayer(Layer):
         """Draw the field, made anew when time or zoom have changed or the view has left it."""
         if self._wind is None:
             return
+        area, picture = self._pictured(self._wind, to_pixels, view)
+        painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
+        painter.drawImage(to_pixels.mapRect(area), picture)
+        painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform, on=False)
+
+    def prepare(self, to_pixels: QTransform, view: QRectF, density: float) -> bool:
+        """Make the picture of the field."""
+        del density
+        if self._wind is not None:
+            self._pictured(self._wind, to_pixels, view)
+        return True
+
+    def _pictured(self, wind: Wind, to_pixels: QTransform, view: QRectF) -> tuple[QRectF, QImage]:
+        """Give the picture of a part of the plane that holds the view."""
         back, _ = to_pixels.inverted()
         seen, scale = back.mapRect(view), to_pixels.m11()
         key = (scale, self._time)
@@ -88,10 +104,8 @@ class FieldLayer(Layer):
             area = seen.adjusted(
                 -margin * seen.width(), -margin * seen.height(), margin * seen.width(), margin * seen.height()
             )
-            self._picture = known = (key, *self._paint(self._wind, area, scale))
-        painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
-        painter.drawImage(to_pixels.mapRect(known[1]), known[2])
-        painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform, on=False)
+            self._picture = known = (key, *self._paint(wind, area, scale))
+        return known[1:]
 
     def _paint(self, wind: Wind, area: QRectF, scale: float) -> tuple[QRectF, QImage]:
         """Paint an area of the plane; returns what was painted, which is a little more, and its picture."""

@@ -37,7 +37,14 @@ class Layer:
     ----------
     bounds
         Of the whole chart in the plane [m].
+
+    Attributes
+    ----------
+    by_strips
+        Whether drawing it strip by strip, each clipped, gives the same picture as at once.
     """
+
+    by_strips = False
 
     def __init__(self, bounds: QRectF) -> None:
         self._bounds = bounds
@@ -72,6 +79,11 @@ class Layer:
     def isVisible(self) -> bool:
         """Whether the layer is shown."""
         return self._visible
+
+    def prepare(self, to_pixels: QTransform, view: QRectF, density: float) -> bool:
+        """Make what drawing needs first, for some milliseconds at most; True once nothing is left of it."""
+        del to_pixels, view, density
+        return True
 
     def paint(self, painter: QPainter, to_pixels: QTransform, view: QRectF) -> None:
         """Draw the layer, if it is shown, and leave the painter as it was."""

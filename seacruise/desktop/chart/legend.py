@@ -9,7 +9,8 @@ from PySide6.QtGui import QColor, QFont, QFontMetricsF, QLinearGradient, QPainte
 
 from seacruise.desktop.chart.depth_layer import band_name
 from seacruise.desktop.chart.field_layer import FIELD_STOPS
-from seacruise.desktop.chart.layer import Layer, text_width
+from seacruise.desktop.chart.layer import Layer, draw_dot, text_width
+from seacruise.desktop.chart.members_layer import DOT_PX, LINE_PX
 from seacruise.desktop.chart.palette import dimmed
 from seacruise.desktop.chart.schemes import SCHEMES, Scheme
 from seacruise.desktop.style import scaled_font
@@ -19,6 +20,7 @@ _SWATCH_PX = 38.0
 _MARGIN_PX = 10.0
 _SIZE = 0.85
 _CHART_PX = 210.0
+_SAMPLE_PX = 34.0
 
 
 class LegendLayer(Layer):
@@ -29,6 +31,7 @@ class LegendLayer(Layer):
         self._scheme = SCHEMES["tws"]
         self.field_shown = False
         self.depths_shown = False
+        self.members = 0
         self._picture: tuple[tuple[object, ...], QPixmap] | None = None
 
     def show_scheme(self, scheme: Scheme) -> None:
@@ -47,6 +50,9 @@ class LegendLayer(Layer):
         height = (2 * QFontMetricsF(font).height() + 18) * (
             2 if self.field_shown or self.depths_shown else 1
         ) + 6
+        if self.members:
+            height += QFontMetricsF(font).height() + 6
+            width = max(width, text_width(font, self._members_text()) + _SAMPLE_PX + 2 * _MARGIN_PX)
         return QRectF(view.right() - width - 12, view.bottom() - height - 26, width, height)
 
     def has_room(self, view: QRectF, base: QFont) -> bool:
@@ -67,6 +73,7 @@ class LegendLayer(Layer):
             self.colours.name,
             self.field_shown,
             self.depths_shown,
+            self.members,
             font.key(),
             density,
         )
@@ -99,6 +106,23 @@ class LegendLayer(Layer):
             swatch = QRectF(left + number * wide, top + line + 6, wide, 7)
             painter.fillRect(swatch, dimmed(colour, self.colours))
             _write_under(painter, swatch.center().x(), swatch.bottom(), name)
+        if self.members:
+            self._draw_members(painter, left, top + 2 * line + 18)
+
+    def _members_text(self) -> str:
+        text = QCoreApplication.translate("legend", "Fastest in each of {n} members")
+        return text.format(n=self.members)
+
+    def _draw_members(self, painter: QPainter, left: float, top: float) -> None:
+        """Draw a line with a dot as the members have them, and what they are."""
+        middle = top + painter.fontMetrics().height() / 2
+        painter.drawText(
+            QPointF(left + _SAMPLE_PX, top + painter.fontMetrics().ascent()), self._members_text()
+        )
+        painter.setPen(QPen(self.colours.member, LINE_PX))
+        painter.drawLine(QPointF(left, middle), QPointF(left + _SAMPLE_PX - 8, middle))
+        at = QPointF(left + (_SAMPLE_PX - 8) / 2, middle)
+        draw_dot(painter, at, DOT_PX, self.colours.member, self.colours.casing)
 
     def _draw_field(self, painter: QPainter, card: QRectF, top: float, line: int) -> None:
         left, width = card.left() + _MARGIN_PX, card.width() - 2 * _MARGIN_PX

@@ -42,6 +42,7 @@ class OthersLayer(Layer):
         self._route = route
         self.ways: tuple[Way, ...] = ()
         self._sides: tuple[Way, ...] = ()
+        self._turns: tuple[Way, ...] = ()
         self._compared: tuple[Way, ...] = ()
         self._planes: list[NDArray[np.float64]] = []
         self._lines: list[QPolygonF] = []
@@ -52,13 +53,18 @@ class OthersLayer(Layer):
         self._sides = tuple(ways)
         self._show()
 
+    def show_turns(self, ways: Sequence[Way]) -> None:
+        """Show ways with fewer turns, or none."""
+        self._turns = tuple(ways)
+        self._show()
+
     def compare(self, way: Way | None) -> None:
         """Show the way of another departure besides, or none."""
         self._compared = () if way is None else (way,)
         self._show()
 
     def _show(self) -> None:
-        ways = (*self._compared, *self._sides)
+        ways = (*self._compared, *self._sides, *self._turns)
         if ways == self.ways:
             return
         self.ways = ways

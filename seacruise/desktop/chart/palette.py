@@ -19,6 +19,8 @@ class Palette:
         Names and lines that must be read.
     casing, keel
         Rim of symbols, and of the route.
+    member
+        Lines and dots of the members of an ensemble.
     night
         Shade under those parts of the route that are sailed in the dark.
     card, card_line
@@ -48,6 +50,7 @@ class Palette:
     night: QColor
     trouble: QColor
     isochrone: QColor
+    member: QColor
     zone: QColor
     sun: QColor
     card: QColor
@@ -88,6 +91,7 @@ DAY: Final = _palette(
     night="#55203060",
     trouble="#B3261E",
     isochrone="#0B5C8A",
+    member="#00695C",
     zone="#B0157A",
     sun="#8A5A00",
     card="#EBFFFFFF",
@@ -115,6 +119,7 @@ DUSK: Final = _palette(
     night="#8C05080B",
     trouble="#FF8A80",
     isochrone="#7CC0E8",
+    member="#6FCFB2",
     zone="#E56DB9",
     sun="#F0B95A",
     card="#EB1C2833",
@@ -133,7 +138,7 @@ NIGHT: Final = _palette(
     graticule="#3C7A4436",
     graticule_text="#8E5240",
     lattice="#307A3A2E",
-    barb="#8A4E3C",
+    barb="#9E5C48",
     ink="#BE7058",
     halo="#C8040506",
     magenta="#C24F78",
@@ -142,6 +147,7 @@ NIGHT: Final = _palette(
     night="#7048342E",
     trouble="#D9534A",
     isochrone="#8C5A3C",
+    member="#927E42",
     zone="#A8405F",
     sun="#A8732E",
     card="#EB0B0A0A",

@@ -57,6 +57,7 @@ class RouteLayer(Layer):
         self._corners = np.empty(0, dtype=np.int64)
         self._leg: int | None = None
         self.boat: tuple[QPointF, float] | None = None
+        self.time: float | None = None
         self._faded = False
         self._nights_shown = True
 
@@ -147,6 +148,7 @@ class RouteLayer(Layer):
 
     def place_boat(self, time: float) -> None:
         """Put the boat where she is at a time [s since 1970-01-01T00:00Z]."""
+        self.time = time
         if self._passage is None:
             return
         track = self._passage.track
@@ -300,6 +302,9 @@ class BoatLayer(Layer):
         painter.drawLine(QPointF(0, -6), QPointF(0, 7))
 
 
+_MARK_PX: Final = 16.0
+
+
 class TroubleLayer(Layer):
     """Where a calculation found no way on; above everything else."""
 
@@ -312,6 +317,13 @@ class TroubleLayer(Layer):
         self._place = None if place is None else point(*place)
         self.update()
 
+    def taken(self, to_pixels: QTransform) -> list[QRectF]:
+        """Place of the mark in pixels, which no name may take."""
+        if self._place is None:
+            return []
+        at = to_pixels.map(self._place)
+        return [QRectF(at.x() - _MARK_PX, at.y() - _MARK_PX, 2 * _MARK_PX, 2 * _MARK_PX)]
+
     def draw(self, painter: QPainter, to_pixels: QTransform, view: QRectF) -> None:
         """Draw a ring with a cross."""
         del view
@@ -321,6 +333,6 @@ class TroubleLayer(Layer):
         painter.setBrush(Qt.BrushStyle.NoBrush)
         for colour, width in ((self.colours.casing, 6.0), (self.colours.trouble, 2.6)):
             painter.setPen(QPen(colour, width))
-            painter.drawEllipse(at, 13.0, 13.0)
+            painter.drawEllipse(at, _MARK_PX - 3.0, _MARK_PX - 3.0)
             painter.drawLine(at + QPointF(-5, -5), at + QPointF(5, 5))
             painter.drawLine(at + QPointF(-5, 5), at + QPointF(5, -5))

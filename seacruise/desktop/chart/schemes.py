@@ -12,7 +12,7 @@ from PySide6.QtGui import QColor
 
 from seacruise.desktop.chart.palette import WIND_COLOURS, WIND_LIMITS_KN, class_name
 from seacruise.desktop.units_choice import wind_unit, wind_value
-from seacruise.narrative import POINT_LIMITS_DEG
+from seacruise.phrases import POINT_LIMITS_DEG
 
 if TYPE_CHECKING:
     from seacruise.passage import Track

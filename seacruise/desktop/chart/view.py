@@ -29,6 +29,7 @@ from seacruise.desktop.chart.isochrone_layer import IsochroneLayer
 from seacruise.desktop.chart.layer import LabelLayer
 from seacruise.desktop.chart.legend import LegendLayer
 from seacruise.desktop.chart.measure_layer import MeasureLayer
+from seacruise.desktop.chart.members_layer import MemberBoatsLayer, MembersLayer
 from seacruise.desktop.chart.others_layer import OthersLayer
 from seacruise.desktop.chart.palette import DAY, Palette
 from seacruise.desktop.chart.plane import CHARTED, WORLD, point, position, rectangle
@@ -127,7 +128,7 @@ class ChartView(QGraphicsView):
         self.field, self.wind = FieldLayer(room), WindLayer(room)
         self.ports, self.route = PortsLayer(room), RouteLayer(room)
         self.zones, self.isochrones = ZonesLayer(room), IsochroneLayer(room, self.route)
-        self.others = OthersLayer(room, self.route)
+        self.others, self.members = OthersLayer(room, self.route), MembersLayer(room, self.route)
         self.measure, self.trouble = MeasureLayer(room), TroubleLayer(room)
         self.legend = LegendLayer(room)
         self.legend.setVisible(False)
@@ -137,12 +138,13 @@ class ChartView(QGraphicsView):
             ground=(self.coast,),
             weather=(self.field, self.wind),
             lying=(
-                *(GraticuleLayer(room), self.zones, self.isochrones, self.others, self.route),
+                *(GraticuleLayer(room), self.zones, self.isochrones, self.members, self.others, self.route),
                 *(LabelLayer(room), self.ports),
             ),
             above=(
                 *(
                     EndsLayer(room, self.ports),
+                    MemberBoatsLayer(room, self.members, self.route),
                     BoatLayer(room, self.route),
                     degrees,
                     ScaleLayer(room),
@@ -430,14 +432,11 @@ class ChartView(QGraphicsView):
         """Places that no label may take: buttons, scale, legend."""
         view = QRectF(self.viewport().rect())
         widgets = [child for child in self.children() if isinstance(child, QWidget)]
-        taken = [QRectF(child.geometry()) for child in widgets if self._covers(child)]
-        taken.append(ScaleLayer.place(view))
+        taken = [QRectF(c.geometry()) for c in widgets if c.isVisible() and c is not self.viewport()]
+        taken += [ScaleLayer.place(view), *self.trouble.taken(self.viewportTransform())]
         if self.legend.isVisible() and self.legend.has_room(view, self.font()):
             taken.append(self.legend.card(view, self.font()))
         return taken
-
-    def _covers(self, child: QWidget) -> bool:
-        return child.isVisible() and child is not self.viewport()
 
     def middle(self) -> tuple[float, float]:
         """Position in the middle of the view [degrees]."""

@@ -368,12 +368,14 @@ class DepartureCurve(QWidget):
         if dot.number == self._named:
             font = painter.font()
             painter.setFont(scaled_font(font, 1.0, bold=True))
-            painter.setPen(self._ink(INK))
-            text, metrics = self.tr("best"), painter.fontMetrics()
+            text, metrics = self.tr("shortest"), painter.fontMetrics()
             half = metrics.horizontalAdvance(text) / 2.0 + 2.0
             # Within the frame: the words beside the axis are not to be written over.
             middle = min(max(at.x(), self._frame().left() + half), self._frame().right() - half)
             box = QRectF(middle - 60, at.y() - 3.0 * _DOT_PX - metrics.height(), 120, metrics.height())
+            ground = QRectF(middle - half, box.top(), 2.0 * half, box.height())
+            painter.fillRect(ground, self._ink(CARD))
+            painter.setPen(self._ink(INK))
             painter.drawText(box, Qt.AlignmentFlag.AlignHCenter, text)
             painter.setFont(font)
 

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import os
-from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from datetime import datetime, timedelta
 from enum import Enum
 from typing import TYPE_CHECKING, Final, Literal, Protocol
 
 from seacruise.desktop.compute import Answer, Fetcher, Question, fetch_wind, refuse_same_port
+from seacruise.desktop.side_by_side import as_they_come
 from seacruise.errors import InputError
 from seacruise.progress import Job
 from seacruise.sea.zones import Zones
@@ -25,9 +24,6 @@ if TYPE_CHECKING:
 
 SAME_H: Final = 5.0 / 60.0
 """Passages that differ by less [h] are equally long to a sailor."""
-
-_MOST_THREADS: Final = 8
-_LOOK_S: Final = 0.05
 
 Measure = Literal["duration", "arrival"]
 
@@ -150,7 +146,7 @@ def compare_departures(
         study = comparer([requests[number]], settings=settings, job=quiet, members=False)
         return Arrived(number, study.runs[0])
 
-    for arrived in _as_they_come(one, len(requests), job):
+    for arrived in as_they_come(one, len(requests), job, name="departures"):
         done += 1
         deliver(arrived)
         job.report("search", done / total, f"Passage {done} of {len(requests)}")
@@ -203,22 +199,6 @@ def _refuse_too_many(passages: int, members: int) -> None:
             f"{passages} passages{each} are too many at once (the most is {MOST_RUNS}); ask for fewer "
             "departures."
         )
-
-
-def _as_they_come(one: Callable[[int], Arrived], count: int, job: Job) -> Iterator[Arrived]:
-    """Compute on threads and yield in the order of completion; a core is left to the window."""
-    threads = min(_MOST_THREADS, max(1, (os.cpu_count() or 2) - 1))
-    pool = ThreadPoolExecutor(max_workers=threads, thread_name_prefix="departures")
-    try:
-        pending: set[Future[Arrived]] = {pool.submit(one, number) for number in range(count)}
-        while pending:
-            done, pending = wait(pending, timeout=_LOOK_S, return_when=FIRST_COMPLETED)
-            for future in done:
-                yield future.result()
-            job.check()
-    finally:
-        # Cancelled, the threads end by themselves; nobody waits for them.
-        pool.shutdown(wait=not job.cancel.is_set(), cancel_futures=True)
 
 
 # --------------------------------------------------------------------------------- what has come so far

@@ -21,7 +21,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from seacruise.desktop.banner import text_label
+from seacruise.desktop.banner import first_sentence, text_label
 from seacruise.desktop.compute import Answer, Fetcher, Question, fetch_wind
 from seacruise.desktop.jobs import Work
 from seacruise.desktop.language import sentence
@@ -48,15 +48,25 @@ from seacruise.desktop.pages.departures_table import (
 )
 from seacruise.desktop.pages.flow import named
 from seacruise.desktop.pages.inbox import Inbox
-from seacruise.desktop.pages.page import MARGIN_PX, Page, Phase, Texts, number_box
+from seacruise.desktop.pages.page import MARGIN_PX, Page, Phase, chip, number_box
 from seacruise.desktop.pages.rows import Looks, RowsTable
-from seacruise.desktop.pages.words import reason_of, run_text, short_moment, tr, verdict_sentences
+from seacruise.desktop.pages.words import (
+    departures_texts,
+    reason_of,
+    run_text,
+    short_moment,
+    tr,
+    verdict_sentences,
+)
 from seacruise.desktop.style import scaled_font
 from seacruise.desktop.units_choice import units_choice
 
 if TYPE_CHECKING:
     from seacruise.settings import Settings
     from seacruise.yacht.polar import Polar
+
+Course = tuple[Wish | None, Inbox[Delivery], Begun | None, Comparison | None, int, int | None]
+"""What is asked, where it arrives, what has begun, what is shown, what the curve shows, the row chosen."""
 
 MOST_YACHTS: Final = 4
 """Curves of more yachts than this are not told apart."""
@@ -96,11 +106,12 @@ class DeparturesPage(Page):
         self._fetcher, self._comparer = fetcher, comparer
         self._comparison: Comparison | None = None
         self._begun: Begun | None = None
+        self._current: int | None = None
         self._inbox: Inbox[Delivery] = Inbox()
         self._asked: Wish | None = None
         self._yachts: dict[str, Polar] = {}
         self._extra: dict[str, QPushButton] = {}
-        super().__init__("departures", _texts(), parent)
+        super().__init__("departures", departures_texts(), parent)
         self._make_controls()
         self._make_results()
 
@@ -140,9 +151,9 @@ class DeparturesPage(Page):
         self.detail = text_label("", "hint", self.body)
         self.adopt_button = QPushButton(self.tr("Leave then"), self.body)
         self.adopt_button.setToolTip(self.tr("Take this departure for the passage (Enter)"))
-        self.adopt_button.clicked.connect(self._take_current)
+        self.adopt_button.clicked.connect(lambda: self._take(self.table.current))
         looks = Looks(self._note, NOTE_COLUMN, tip_of, lambda row: row.is_best)
-        self.table = RowsTable(self.tr("Departures compared"), columns(), looks, self.body)
+        self.table: RowsTable = RowsTable(self.tr("Departures compared"), columns(), looks, self.body)
         self.matrix = YachtMatrix(self.body)
         self._tables = QStackedWidget(self.body)
         for table in (self.table, self.matrix):
@@ -182,22 +193,16 @@ class DeparturesPage(Page):
             (self.tr("Duration"), self.tr("Hours under way over the departure")),
             (self.tr("Arrival"), self.tr("Moment of arrival over the departure")),
         ):
-            button = QToolButton(self.body)
-            button.setObjectName("chip")
-            button.setText(text)
-            button.setToolTip(tip)
-            button.setCheckable(True)
+            button = chip(text, tip, self.body)
             button.setChecked(not buttons)
             self._measures.addButton(button, len(buttons))
             buttons.append(button)
         self._measures.idToggled.connect(lambda _number, on: self._show_results() if on else None)
-        self.matrix_button = QToolButton(self.body)
-        self.matrix_button.setObjectName("chip")
-        self.matrix_button.setText(self.tr("By yacht"))
-        self.matrix_button.setToolTip(
-            self.tr("A column for each yacht, in place of every figure of each passage")
+        self.matrix_button = chip(
+            self.tr("By yacht"),
+            self.tr("A column for each yacht, in place of every figure of each passage"),
+            self.body,
         )
-        self.matrix_button.setCheckable(True)
         self.matrix_button.setChecked(True)
         self.matrix_button.hide()
         self.matrix_button.toggled.connect(lambda _on: self._show_table())
@@ -281,6 +286,25 @@ class DeparturesPage(Page):
         return work
 
     @property
+    def course(self) -> Course:
+        """What is asked and what has come of it, also while it still comes."""
+        measure = self._measures.checkedId()
+        return self._asked, self._inbox, self._begun, self._comparison, measure, self._current
+
+    def take_over(self, other: Page) -> None:
+        """Go on where the same page of another window is."""
+        assert isinstance(other, DeparturesPage)
+        for name in other.extra_yachts:
+            self.add_yacht(name)
+        self._asked, self._inbox, self._begun, self._comparison, measure, chosen = other.course
+        super().take_over(other)
+        self._measures.button(measure).setChecked(True)
+        if self._comparison is not None:
+            self._show_head()
+            self._show_results()
+            self.table.choose(lambda row: row.number == chosen)
+
+    @property
     def has_results(self) -> bool:
         """Whether departures were compared."""
         return self._comparison is not None
@@ -320,13 +344,13 @@ class DeparturesPage(Page):
         assert self._comparison is not None
         assert self._asked is not None
         begun, question = self._comparison.begun, self._asked.question
-        self.heading.setText(f"{begun.start} - {begun.end}, {', '.join(self._comparison.yachts)}")
-        notices = [begun.forecast.notice]
+        self.heading.setText(f"{begun.start} – {begun.end}, {', '.join(self._comparison.yachts)}")
+        notices = [first_sentence(sentence(begun.forecast.notice))]
         if question.via is not None:
             notices.append(
                 self.tr("Compared is the direct passage, not by way of {via}.").format(via=question.via.name)
             )
-        self.notice.setText(sentence(" ".join(filter(None, notices))))
+        self.notice.setText(" ".join(filter(None, notices)))
         self.notice.setVisible(bool(self.notice.text()))
         several = len(self._comparison.yachts) > 1
         self.table.setColumnHidden(YACHT_COLUMN, not several)
@@ -410,7 +434,7 @@ class DeparturesPage(Page):
         self.table.choose(lambda row: row.number == number)
 
     def _row_chosen(self, row: Row | None) -> None:
-        number = None if row is None else row.number
+        number = self._current = None if row is None else row.number
         self.curve.choose(number)
         self.matrix.choose(number)
         self._show_detail(row)
@@ -419,21 +443,7 @@ class DeparturesPage(Page):
         self._choose(number)
         self._take(self.table.current)
 
-    def _take_current(self) -> None:
-        self._take(self.table.current)
-
     def _take(self, row: Row | None) -> None:
         """Adopt a departure that has a passage."""
         if row is not None and row.found:
             self.adopted.emit(row.departure)
-
-
-def _texts() -> Texts:
-    return Texts(
-        tr("When to go"),
-        tr("Comp&are"),
-        tr(
-            "Plans the passage of the form for several departures, from its own on, and shows how long each "
-            "takes, when it arrives and in what wind. Choose how many, and press Compare."
-        ),
-    )

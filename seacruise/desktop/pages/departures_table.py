@@ -8,7 +8,7 @@ from typing import Any, Final
 from seacruise.desktop.pages.departures_model import Row
 from seacruise.desktop.pages.rows import Column
 from seacruise.desktop.pages.words import clock, run_text, short_moment, tr
-from seacruise.desktop.units_choice import wind_number, wind_unit
+from seacruise.desktop.units_choice import wind_text
 
 YACHT_COLUMN: Final = 1
 NOTE_COLUMN: Final = 2
@@ -61,11 +61,11 @@ def columns() -> tuple[Column, ...]:
             "Wed 00 00:00",
         ),
         Column(
-            wind_unit,
+            tr("Wind"),
             tr("Strongest true wind"),
-            text("max_tws_kn", wind_number),
+            text("max_tws_kn", wind_text),
             number("max_tws_kn"),
-            "00",
+            "00 kn",
         ),
         Column(
             tr("Upwind"),

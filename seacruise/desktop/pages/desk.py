@@ -5,7 +5,7 @@ from __future__ import annotations
 from datetime import UTC, datetime
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject
+from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QDialog, QVBoxLayout, QWidget
 
 from seacruise.desktop.messages import Message
@@ -13,6 +13,7 @@ from seacruise.desktop.state import Phase, WindowState
 
 if TYPE_CHECKING:
     from seacruise.desktop.pages.passages_page import PassagesPage
+    from seacruise.desktop.pages.rows import RowsTable
     from seacruise.desktop.pages.weather_page import WeatherPage
     from seacruise.desktop.pages.yacht_page import YachtPage
     from seacruise.desktop.window import MainWindow
@@ -21,7 +22,12 @@ if TYPE_CHECKING:
 
 
 class Desk(QObject):
-    """Makes the pages when they are first wanted, and joins them to the main window."""
+    """Makes the pages when they are first wanted, and joins them to the main window.
+
+    Signals: ``made(QDialog, name, tables)`` when a window was made.
+    """
+
+    made = Signal(object, str, object)
 
     def __init__(self, settings: Settings, window: MainWindow) -> None:
         super().__init__(window)
@@ -41,7 +47,7 @@ class Desk(QObject):
             from seacruise.desktop.pages.weather_page import WeatherPage
 
             page = self._weather = WeatherPage(self._settings)
-            self._in_window(page, self.tr("Weather"), 620, 760)
+            self._in_window(page, self.tr("Weather"), "weather", (620, 760))
             form = self._window.form
             page.source_chosen.connect(lambda name: form.set_forecast((name,)))
             page.mean_chosen.connect(form.set_forecast)
@@ -95,7 +101,7 @@ class Desk(QObject):
 
             page, form = YachtPage(self._settings), self._window.form
             self._yachts = page
-            self._in_window(page, self.tr("Yachts"), 900, 720)
+            self._in_window(page, self.tr("Yachts"), "yachts", (900, 720), page.view.table)
             page.show_light(self._window.layers.light)
             page.yacht_chosen.connect(lambda polar: form.fill({"yacht": polar.name}))
             page.percent_changed.connect(form.percent_box.setValue)
@@ -119,7 +125,7 @@ class Desk(QObject):
             from seacruise.desktop.pages.passages_page import PassagesPage
 
             page = self._passages = PassagesPage(self._settings)
-            self._in_window(page, self.tr("Saved passages"), 760, 420)
+            self._in_window(page, self.tr("Saved passages"), "passages", (760, 420), page.table)
             page.open_requested.connect(self.open_saved)
             page.save_requested.connect(self.save)
             page.saved.connect(self._saved)
@@ -151,15 +157,40 @@ class Desk(QObject):
 
     # --- windows ------------------------------------------------------------------------------------
 
-    def _in_window(self, page: QWidget, title: str, width: int, height: int) -> None:
+    def _in_window(
+        self, page: QWidget, title: str, name: str, size: tuple[int, int], *tables: RowsTable
+    ) -> None:
         dialog = QDialog(self._window)
         dialog.setWindowTitle(title)
         layout = QVBoxLayout(dialog)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(page)
         room = self._window.screen().availableGeometry()
-        dialog.resize(min(width, round(0.94 * room.width())), min(height, round(0.9 * room.height())))
+        dialog.resize(min(size[0], round(0.94 * room.width())), min(size[1], round(0.9 * room.height())))
         dialog.setMinimumSize(440, 320)
+        self.made.emit(dialog, name, tables)
+
+    @property
+    def opened(self) -> tuple[WeatherPage | None, PassagesPage | None, YachtPage | None]:
+        """The pages that were wanted so far."""
+        return self._weather, self._passages, self._yachts
+
+    def take_over(self, other: Desk) -> None:
+        """Have the pages that another window has, filled in and open as they are there."""
+        weather, passages, yachts = other.opened
+        if weather is not None:
+            self.weather.take_over(weather)
+        if passages is not None:
+            self.passages.take_over(passages)
+        if yachts is not None:
+            self.yachts.take_over(yachts)
+        for page, show in (
+            (weather, self.show_weather),
+            (passages, self.show_passages),
+            (yachts, self.show_yachts),
+        ):
+            if page is not None and page.isVisible():
+                show()
 
     def shut_down(self) -> None:
         """Close the windows and end their workers; what was to be saved is saved."""

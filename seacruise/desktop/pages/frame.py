@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Final
 
 from PySide6.QtCore import QSize, Signal
@@ -35,6 +36,7 @@ class PagesFrame(QFrame):
         self.setObjectName("legs")
         self._splitter = splitter
         self._sizes_before: list[int] = []
+        self._pages: list[Callable[[], QWidget]] = []
         self.tabs = QTabBar(self)
         self.tabs.setDrawBase(False)
         self.tabs.setExpanding(False)
@@ -43,6 +45,7 @@ class PagesFrame(QFrame):
         self.tabs.currentChanged.connect(self.stack.setCurrentIndex)
         self._headings = QStackedWidget(self)
         self.tabs.currentChanged.connect(self._headings.setCurrentIndex)
+        self.tabs.currentChanged.connect(self._have_page)
         self.close_button = QToolButton(self)
         self.close_button.setText("✕")
         self.close_button.setIconSize(QSize(12, 12))
@@ -64,15 +67,29 @@ class PagesFrame(QFrame):
         splitter.setCollapsible(splitter.indexOf(self), False)
         self.hide()
 
-    def add(self, page: QWidget, title: str) -> None:
-        """Take a page in; the tab has its title."""
+    def offer(self, title: str, page: Callable[[], QWidget]) -> None:
+        """Add a tab; what it shows is asked for when it is first seen, and given by `take_in` then."""
+        self._pages.append(page)
+        self._headings.addWidget(QWidget())
+        self.stack.addWidget(QWidget())
+        self.tabs.addTab(title)
+
+    def take_in(self, number: int, page: QWidget) -> None:
+        """Show a page where the tab of that number has none yet."""
         heading: QWidget = QWidget()
         if isinstance(page, Page):
             page.title.hide()
             heading = page.heading
-        self._headings.addWidget(heading)
-        self.stack.addWidget(page)
-        self.tabs.addTab(title)
+        for stack, widget in ((self._headings, heading), (self.stack, page)):
+            shown = stack.currentIndex()
+            stack.insertWidget(number, widget)
+            if (empty := stack.widget(number + 1)) is not None:
+                stack.removeWidget(empty)
+                empty.deleteLater()
+            stack.setCurrentIndex(shown)
+
+    def _have_page(self, number: int) -> QWidget | None:
+        return self._pages[number]() if self.is_open else None
 
     @property
     def is_open(self) -> bool:
@@ -92,6 +109,25 @@ class PagesFrame(QFrame):
             sizes[0] = whole - sizes[-1]
             self._splitter.setSizes(sizes)
         page.setFocus()
+
+    def take_over(self, other: PagesFrame) -> None:
+        """Show the page that another window shows, as high; in a window that is laid out."""
+        self.tabs.setCurrentIndex(other.tabs.currentIndex())
+        if not other.is_open:
+            return
+        self.open_page(self._pages[self.tabs.currentIndex()]())
+        self._splitter.setSizes(other.sizes)
+        self._sizes_before = list(other.sizes_before)
+
+    @property
+    def sizes(self) -> list[int]:
+        """Heights of what is in the splitter, pages last."""
+        return self._splitter.sizes()
+
+    @property
+    def sizes_before(self) -> tuple[int, ...]:
+        """Heights before the pages were opened."""
+        return tuple(self._sizes_before)
 
     def close_pages(self) -> None:
         """Give the room back to the chart."""

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from enum import Enum
+from functools import partial
 from typing import Final
 
 from PySide6.QtCore import QCoreApplication, Qt, Signal
@@ -15,11 +17,13 @@ from PySide6.QtWidgets import (
     QLabel,
     QProgressBar,
     QPushButton,
+    QToolButton,
     QVBoxLayout,
     QWidget,
 )
 
 from seacruise.desktop.banner import Banner, text_label
+from seacruise.desktop.fields import copy_fields
 from seacruise.desktop.jobs import JobRunner, Work
 from seacruise.desktop.language import sentence
 from seacruise.desktop.messages import Message, message_for
@@ -71,6 +75,21 @@ def number_box(
     return box
 
 
+def chip(text: str, tip: str, parent: QWidget) -> QToolButton:
+    """Switch of one word."""
+    button = QToolButton(parent)
+    button.setObjectName("chip")
+    button.setText(text)
+    button.setToolTip(tip)
+    button.setCheckable(True)
+    return button
+
+
+def _cancelled(*, has_results: bool) -> Message:
+    kept = tr("What was found so far stays.") if has_results else tr("Nothing was changed.")
+    return Message("info", tr("Cancelled"), kept)
+
+
 class Page(QFrame):
     """A page: ``controls`` at the top, ``body`` below, of which the layout is the page's own.
 
@@ -93,6 +112,7 @@ class Page(QFrame):
         self.jobs.finished.connect(self._finished)
         self.jobs.failed.connect(self._failed)
         self._banner: Banner | None = None
+        self.said: Callable[[], Message] | None = None
         self._make_parts(texts)
         self._lay_out(texts)
         self.setFocusProxy(self.run_button)
@@ -177,7 +197,7 @@ class Page(QFrame):
         try:
             work = self.make_work()
         except SeaCruiseError as error:
-            self._end(Phase.FAILED, message_for(error))
+            self._end(Phase.FAILED, partial(message_for, error))
             return
         self._say(None)
         self.message.setText(tr("Starting…"))
@@ -189,8 +209,17 @@ class Page(QFrame):
         """Cancel, at once, whatever the worker still does."""
         if self.jobs.cancel():
             self.take_delivery()
-            kept = tr("What was found so far stays.") if self.has_results else tr("Nothing was changed.")
-            self._end(Phase.CANCELLED, Message("info", tr("Cancelled"), kept))
+            self._end(Phase.CANCELLED, partial(_cancelled, has_results=self.has_results))
+
+    def take_over(self, other: Page) -> None:
+        """Go on where the same page of another window is, in another language."""
+        copy_fields(other, self)
+        if other.phase is Phase.BUSY:
+            self.message.setText(tr("Starting…"))
+            self.progress.setRange(0, 0)
+        self._say(other.said)
+        self._show_phase(other.phase)
+        other.jobs.hand_over(self.jobs)
 
     def shut_down(self) -> None:
         """End the worker."""
@@ -213,9 +242,9 @@ class Page(QFrame):
 
     def _failed(self, _generation: int, error: SeaCruiseError) -> None:
         self.take_delivery()
-        self._end(Phase.FAILED, message_for(error))
+        self._end(Phase.FAILED, partial(message_for, error))
 
-    def _end(self, phase: Phase, message: Message | None) -> None:
+    def _end(self, phase: Phase, message: Callable[[], Message] | None) -> None:
         self._say(message)
         self._show_phase(phase)
         self.show_end()
@@ -241,15 +270,14 @@ class Page(QFrame):
         self.body.setVisible(self.has_results)
         self.heading.setVisible(self.has_results)
 
-    def _say(self, message: Message | None) -> None:
-        """Show a banner instead of the one that is there."""
+    def _say(self, message: Callable[[], Message] | None) -> None:
+        """Show a banner instead of the one that is there; what makes it is kept for another language."""
+        self.said = message
         if self._banner is not None:
-            self._banners.removeWidget(self._banner)
-            self._banner.hide()
-            self._banner.deleteLater()
+            self._banner.take_down()
             self._banner = None
         if message is not None:
-            self._banner = Banner(message, self)
+            self._banner = Banner(message(), self)
             self._banner.way_out_chosen.connect(self.way_out_chosen)
             self._banners.addWidget(self._banner)
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from contextlib import suppress
 from datetime import UTC, datetime
+from functools import partial
 from typing import TYPE_CHECKING, Any, Final
 
 from PySide6.QtCore import QCoreApplication, QDate, QEvent, QLocale, Qt, Signal
@@ -305,6 +306,20 @@ class PassagesPage(QFrame):
 
         self._ask(lambda shelf: brought_back(shelf, numbers), then)
 
+    def take_over(self, other: PassagesPage) -> None:
+        """Show what the same page of another window shows; what it has to do, it does to the end."""
+        if (entry := other.current) is not None:
+            self._ask(lambda _shelf: None, lambda _value: self.table.choose(partial(_is_same, entry)))
+        self._undo = other.deleted
+        if other.deleted:
+            told = self.tr("%n passage(s) deleted.", "", len(other.deleted))
+            self.undone.say("info", told, self.tr("Undo"))
+
+    @property
+    def deleted(self) -> tuple[int, ...]:
+        """Numbers of what was deleted last, and can be brought back."""
+        return self._undo
+
     # --- one thing after the other ------------------------------------------------------------------
 
     def _ask(self, do: Do, then: Callable[[Any], None]) -> None:
@@ -400,6 +415,10 @@ class PassagesPage(QFrame):
         for do, _ in waiting:
             with suppress(SeaCruiseError):
                 on_the_shelf(self._settings.database, do)
+
+
+def _is_same(entry: Entry, other: Entry) -> bool:
+    return entry.number == other.number
 
 
 def _usual_name(passage: Passage) -> str:

@@ -16,7 +16,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from seacruise.desktop.banner import text_label
+from seacruise.desktop.banner import first_sentence, text_label
 from seacruise.desktop.compute import Answer
 from seacruise.desktop.jobs import Work
 from seacruise.desktop.language import sentence
@@ -205,6 +205,11 @@ class ReachPage(Page):
     def take_result(self, result: object) -> None:
         """Show the ports."""
         assert isinstance(result, Found)
+        self._show_found(result)
+        # The chart takes its time too; not in the same breath.
+        QTimer.singleShot(0, self.send_lines)
+
+    def _show_found(self, result: Found) -> None:
         self._found = result
         back = result.wish.back
         self.table.show_rows(())
@@ -214,10 +219,24 @@ class ReachPage(Page):
         self.table.show_rows(result.rows)
         self._show_head(result)
         self._show_whether_any()
-        # The chart takes its time too; not in the same breath.
-        QTimer.singleShot(0, self._send_lines)
 
-    def _send_lines(self) -> None:
+    def take_over(self, other: Page) -> None:
+        """Go on where the same page of another window is."""
+        assert isinstance(other, ReachPage)
+        self._unit_picked(other.unit_box.currentIndex())
+        if other.found is not None:
+            self._show_found(other.found)
+        super().take_over(other)
+        if (current := other.table.current) is not None:
+            self.table.choose(lambda row: row.port == current.port)
+
+    @property
+    def found(self) -> Found | None:
+        """What is shown."""
+        return self._found
+
+    def send_lines(self) -> None:
+        """Give the chart the lines of equal time of what is shown."""
         if self._found is not None:
             self.isochrones_ready.emit(list(self._found.lines))
 
@@ -235,7 +254,8 @@ class ReachPage(Page):
         )
         self.heading.setText(time)
         self.sentence.setText(reach_sentence(found))
-        self.notice.setText(sentence(" ".join(reach.notices)))
+        first, *rest = (sentence(notice) for notice in (*reach.notices, ""))
+        self.notice.setText(" ".join((first_sentence(first), *rest)).rstrip())
         self.notice.setVisible(bool(reach.notices))
 
     def _filter(self) -> None:

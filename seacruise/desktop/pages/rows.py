@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Final
 
@@ -24,9 +24,11 @@ from seacruise.desktop.units_choice import units_choice
 Index = QModelIndex | QPersistentModelIndex
 
 SORT_ROLE: Final = Qt.ItemDataRole.UserRole
-_PADDING_PX: Final = 12
+_PADDING_PX: Final = 10
 _FRAME_PX: Final = 2
 _SHARED_PX: Final = 120
+_LEAST_PX: Final = 28
+_MOST_PX: Final = 900
 _ARROW_ROOM: Final = "   "
 
 
@@ -213,6 +215,8 @@ class RowsTable(QTableView):
     ) -> None:
         super().__init__(parent)
         self.rows = RowsModel(columns, looks, self)
+        self._own: dict[int, int] = {}
+        self._is_sharing = False
         self.sorted = SortedRows(self)
         self.sorted.setSourceModel(self.rows)
         self.setModel(self.sorted)
@@ -247,11 +251,40 @@ class RowsTable(QTableView):
         head = self.horizontalHeader()
         head.setHighlightSections(False)
         head.setSortIndicatorShown(True)
-        head.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
-        for number, column in enumerate(self.rows.columns):
-            self.setColumnWidth(number, self._width_of(column))
+        head.setSectionResizeMode(QHeaderView.ResizeMode.Interactive)
+        head.setMinimumSectionSize(_LEAST_PX)
+        for number in range(len(self.rows.columns)):
+            self.setColumnWidth(number, self._width_of(number))
+        # Only now: these were nobody's wish.
+        head.sectionResized.connect(self._drawn_out)
 
-    def _width_of(self, column: Column) -> int:
+    def _drawn_out(self, number: int, before: int, width: int) -> None:
+        """Keep the width that the sailor gives a column; one that is hidden or comes back has none."""
+        if not self._is_sharing and before and width:
+            self._own[number] = min(width, _MOST_PX)
+
+    def contents(self) -> dict[str, object]:
+        """Give what is worth keeping for the next start: widths that the sailor chose, and the order."""
+        head = self.horizontalHeader()
+        down = head.sortIndicatorOrder() == Qt.SortOrder.DescendingOrder
+        widths = {str(number): width for number, width in self._own.items()}
+        return {"widths": widths, "by": head.sortIndicatorSection(), "down": down}
+
+    def restore(self, kept: Mapping[str, Any]) -> None:
+        """Show what `contents` gave; what is not of its kind, as in a damaged file, is passed over."""
+        widths, by, count = kept.get("widths"), kept.get("by"), len(self.rows.columns)
+        for key, width in widths.items() if isinstance(widths, dict) else ():
+            if str(key).isdecimal() and int(key) < count and type(width) is int:
+                self._own[int(key)] = min(max(width, _LEAST_PX), _MOST_PX)
+        if type(by) is int and 0 <= by < count:
+            orders = Qt.SortOrder.AscendingOrder, Qt.SortOrder.DescendingOrder
+            self.sortByColumn(by, orders[bool(kept.get("down"))])
+        self._share_room()
+
+    def _width_of(self, number: int) -> int:
+        if number in self._own:
+            return self._own[number]
+        column = self.rows.columns[number]
         bold = QFontMetrics(self.rows.bold_font)
         head = self.horizontalHeader().fontMetrics().horizontalAdvance(head_of(column) + _ARROW_ROOM) + 4
         return max(bold.horizontalAdvance(column.sample), head) + _PADDING_PX
@@ -261,7 +294,7 @@ class RowsTable(QTableView):
         """Width with which no column that is shown is cut off."""
         shown = [k for k in range(len(self.rows.columns)) if not self.isColumnHidden(k)]
         bar = self.verticalScrollBar().sizeHint().width()
-        return sum(self._width_of(self.rows.columns[k]) for k in shown) + bar + 2 * _FRAME_PX
+        return sum(self._width_of(k) for k in shown) + bar + 2 * _FRAME_PX
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Share the room out anew."""
@@ -279,11 +312,14 @@ class RowsTable(QTableView):
         taker = next((k for k in shown if columns[k].takes_rest), None)
         if taker is None:
             return
-        spare = max(self.viewport().width() - sum(self._width_of(columns[k]) for k in shown), 0)
-        each = spare // (2 * len(shown)) if spare > _SHARED_PX else 0
+        spare = max(self.viewport().width() - sum(self._width_of(k) for k in shown), 0)
+        free = [k for k in shown if k not in self._own]
+        each = spare // (2 * len(shown)) if spare > _SHARED_PX and taker in free else 0
+        self._is_sharing = True
         for k in shown:
-            more = each if k != taker else spare - each * (len(shown) - 1)
-            self.setColumnWidth(k, self._width_of(columns[k]) + more)
+            more = each if k != taker else spare - each * (len(free) - 1)
+            self.setColumnWidth(k, self._width_of(k) + (more if k in free else 0))
+        self._is_sharing = False
 
     def show_rows(self, rows: Sequence[Any]) -> None:
         """Show rows; the current one stays so where it is still there."""

@@ -23,6 +23,7 @@ from PySide6.QtWidgets import (
 )
 
 from seacruise.desktop.banner import Banner, text_label
+from seacruise.desktop.fields import copy_fields
 from seacruise.desktop.forecast_box import FILE_TYPES
 from seacruise.desktop.jobs import JobRunner
 from seacruise.desktop.language import fill
@@ -84,6 +85,7 @@ class WeatherPage(QFrame):
         self._ends: tuple[tuple[float, float], ...] = ()
         self._in_use: tuple[tuple[str, ...], tuple[float, ...]] = (("auto",), ())
         self._waiting: list[str] = []
+        self._ticked: dict[str, float] = {}
         self._loader, self._reader = JobRunner("weather", self), JobRunner("file", self)
         self._loader.finished.connect(self._take_state)
         self._loader.failed.connect(lambda _, error: self._say_fault(error))
@@ -242,9 +244,7 @@ class WeatherPage(QFrame):
         if self._banner is not None:
             if self._banner.message == message:
                 return
-            self._column.removeWidget(self._banner)
-            self._banner.hide()
-            self._banner.deleteLater()
+            self._banner.take_down()
             self._banner = None
         if message is not None:
             self._banner = Banner(message, self)
@@ -392,6 +392,8 @@ class WeatherPage(QFrame):
         else:
             card.show_file(outcome)
             self._mark(path, card)
+            if path in self._ticked:
+                card.set_mixed(self._ticked.pop(path))
             self._show_mean()
         self.file_read.emit(path)
         self._read_next()
@@ -412,6 +414,20 @@ class WeatherPage(QFrame):
         """Read what was dropped: what is in a file decides, not its name."""
         self.add_files([url.toLocalFile() for url in event.mimeData().urls() if url.isLocalFile()])
         event.acceptProposedAction()
+
+    def take_over(self, other: WeatherPage) -> None:
+        """Show what the same page of another window shows; files are read again."""
+        self._trouble = other.trouble
+        copy_fields(other.key_box, self.key_box)
+        for name, card in self.cards.items():
+            copy_fields(other.cards[name], card)
+        self._ticked = {path: card.weight for path, card in other.files.items() if card.in_mean}
+        self.add_files([path for path in other.files if path not in self.files])
+
+    @property
+    def trouble(self) -> SeaCruiseError | None:
+        """What a service said last, while it cannot be reached."""
+        return self._trouble
 
     def shut_down(self) -> None:
         """End the workers."""

@@ -3,19 +3,28 @@
 from __future__ import annotations
 
 from datetime import datetime, timedelta
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QCoreApplication, QDate, QLocale
 
 from seacruise.desktop.language import sentence
 from seacruise.desktop.messages import message_for
 from seacruise.desktop.pages.departures_model import Comparison, Outcome, Verdict
-from seacruise.desktop.units_choice import distance_text, in_zone, zone_text
+from seacruise.desktop.pages.page import Texts
+from seacruise.desktop.units_choice import distance_text, in_zone, wind_text, zone_text
+from seacruise.desktop.verdict import days_text
 from seacruise.errors import NoPassageError
 from seacruise.export.textform import to_minute
 
 if TYPE_CHECKING:
     from seacruise.study import Run
+
+
+LONG_H: Final = 48.0
+"""From here on a time [h] is told in days."""
+
+MUCH_MORE_KN: Final = 4.0
+"""A departure that saves hours in so much more wind is not simply better [kn]: a force of Beaufort."""
 
 
 def tr(text: str) -> str:
@@ -53,6 +62,8 @@ def about(hours: float) -> str:
     minutes = round(hours * 60)
     if minutes < 60:
         return tr("{m} min").format(m=minutes)
+    if minutes >= LONG_H * 60:
+        return days_text(hours)
     if minutes >= 600 or minutes % 60 == 0:
         return tr("{h} h").format(h=round(minutes / 60))
     return tr("{h} h {m} min").format(h=minutes // 60, m=minutes % 60)
@@ -63,6 +74,8 @@ def rounded(hours: float) -> str:
     minutes = round(hours * 60)
     if minutes < 60:
         return tr("{m} min").format(m=minutes)
+    if minutes >= LONG_H * 60:
+        return days_text(hours)
     return clock(hours) if minutes < 120 else tr("{h:.0f} h").format(h=hours)
 
 
@@ -116,11 +129,25 @@ def _sentence(verdict: Verdict, comparison: Comparison) -> str:
             "forecast. In the wind held from then on, leaving {leaves} is shortest: {hours} under way."
         ),
     }
-    return texts[verdict.outcome].format(
+    said = texts[verdict.outcome].format(
         leaves=say(best.departure),
         hours=clock(best.duration_h or 0.0),
         saves=about(verdict.hours),
         other="" if against is None else clock(against.duration_h or 0.0),
+    )
+    price = _price(verdict) if verdict.outcome in {Outcome.OTHER, Outcome.PRESENT} else ""
+    return f"{said} {price}" if price else said
+
+
+def _price(verdict: Verdict) -> str:
+    """Say what the hours that are saved cost in wind; empty where that is not much."""
+    best, against = verdict.best, verdict.against
+    if best is None or against is None or best.max_tws_kn is None or against.max_tws_kn is None:
+        return ""
+    if best.max_tws_kn - against.max_tws_kn < MUCH_MORE_KN:
+        return ""
+    return tr("But the strongest wind is {wind}, not {other}.").format(
+        wind=wind_text(best.max_tws_kn), other=wind_text(against.max_tws_kn)
     )
 
 
@@ -148,3 +175,15 @@ def run_text(run: Run) -> str:
             )
         )
     return "; ".join(parts) + "."
+
+
+def departures_texts() -> Texts:
+    """Words of the page of departures."""
+    return Texts(
+        tr("When to go"),
+        tr("Comp&are"),
+        tr(
+            "Plans the passage of the form for several departures, from its own on, and shows how long each "
+            "takes, when it arrives and in what wind. Choose how many, and press Compare."
+        ),
+    )

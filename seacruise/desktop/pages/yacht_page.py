@@ -21,6 +21,7 @@ from PySide6.QtWidgets import (
 )
 
 from seacruise.desktop.banner import Banner, text_label
+from seacruise.desktop.fields import copy_fields
 from seacruise.desktop.jobs import JobRunner
 from seacruise.desktop.messages import Message, message_for
 from seacruise.desktop.pages.fit_panel import FitPanel
@@ -151,8 +152,8 @@ class YachtPage(QFrame):
         self._direct()
 
     def _make_jobs(self) -> None:
-        self._runners = {name: JobRunner(f"yachts-{name}", self) for name in ("fleet", "look", "file", "fit")}
-        runners = self._runners
+        self.runners = {name: JobRunner(f"yachts-{name}", self) for name in ("fleet", "look", "file", "fit")}
+        runners = self.runners
         runners["fleet"].finished.connect(lambda _, found: self._fleet_read(*found))
         runners["look"].finished.connect(lambda _, shown: self._show(*shown))
         runners["file"].finished.connect(lambda _, done: self._file_done(done))
@@ -173,7 +174,7 @@ class YachtPage(QFrame):
     def load(self, wanted: str = "") -> None:
         """Read the fleet and show a yacht: the one that is wanted, else the one that was shown."""
         self._wanted = wanted or self._wanted or self.fleet.current
-        self._runners["fleet"].run_job(lambda _job: yachts_of(self._settings))
+        self.runners["fleet"].run_job(lambda _job: yachts_of(self._settings))
         self._show_state()
 
     def show_fleet(self, yachts: Mapping[str, Polar], wanted: str = "") -> None:
@@ -231,7 +232,7 @@ class YachtPage(QFrame):
                 return mine, None
             return mine, look_at(other, job, tws_kn=[row.tws_kn for row in mine.rows])
 
-        self._runners["look"].run_job(work)
+        self.runners["look"].run_job(work)
 
     def _show(self, mine: Shown, other: Shown | None) -> None:
         points = self._fit_shown.points if self._fit_shown is not None else None
@@ -253,7 +254,7 @@ class YachtPage(QFrame):
         self.view.show_light(light)
 
     def _show_state(self) -> None:
-        reading = self._runners["fleet"].is_running and not self._fleet
+        reading = self.runners["fleet"].is_running and not self._fleet
         self.busy.setVisible(reading)
         self._left.setEnabled(bool(self._fleet) or not reading)
         self.take_button.setEnabled(bool(self.fleet.current))
@@ -294,7 +295,7 @@ class YachtPage(QFrame):
             return _Imported(polar, tuple(refusals))
 
         if paths:
-            self._runners["file"].run_job(work)
+            self.runners["file"].run_job(work)
 
     def _file_done(self, done: _Imported | Polar) -> None:
         polar, refusals = (done.polar, done.refusals) if isinstance(done, _Imported) else (done, ())
@@ -316,7 +317,7 @@ class YachtPage(QFrame):
             prior = self.polar
             self._say(None)
             self.fit_panel.begin()
-            self._runners["fit"].run_job(lambda job: fit_from_logs(paths, prior, job))
+            self.runners["fit"].run_job(lambda job: fit_from_logs(paths, prior, job))
 
     def _fitted(self, found: FromLog) -> None:
         self.fit_panel.end(found)
@@ -328,12 +329,12 @@ class YachtPage(QFrame):
         self._look_again()
 
     def _cancel_fit(self) -> None:
-        if self._runners["fit"].cancel():
+        if self.runners["fit"].cancel():
             self.fit_panel.clear()
             self._say(Message("info", self.tr("Cancelled"), self.tr("Nothing was changed.")))
 
     def _keep(self, found: FromLog) -> None:
-        self._runners["file"].run_job(lambda _job: keep_fit(found, self._settings))
+        self.runners["file"].run_job(lambda _job: keep_fit(found, self._settings))
 
     def _drop_fit(self) -> None:
         self.fit_panel.clear()
@@ -355,9 +356,7 @@ class YachtPage(QFrame):
 
     def _say(self, message: Message | None) -> None:
         if self._banner is not None:
-            self._banners.removeWidget(self._banner)
-            self._banner.hide()
-            self._banner.deleteLater()
+            self._banner.take_down()
             self._banner = None
         if message is not None:
             self._banner = Banner(message, self)
@@ -387,7 +386,31 @@ class YachtPage(QFrame):
         self.add_polars([Path(url.toLocalFile()) for url in event.mimeData().urls() if url.isLocalFile()])
         event.acceptProposedAction()
 
+    def take_over(self, other: YachtPage) -> None:
+        """Go on where the same page of another window is."""
+        if other.yachts:
+            self.show_fleet(other.yachts, other.fleet.current)
+        self.view.set_other(other.view.other)
+        copy_fields(other.view, self.view)
+        self._look_again()
+        if other.is_fitting:
+            self.fit_panel.begin()
+        elif other.fit_panel.found is not None:
+            self._fitted(other.fit_panel.found)
+        for name, runner in other.runners.items():
+            runner.hand_over(self.runners[name])
+
+    @property
+    def yachts(self) -> Mapping[str, Polar]:
+        """The fleet."""
+        return self._fleet
+
+    @property
+    def is_fitting(self) -> bool:
+        """Whether a polar is being fitted to logs."""
+        return self.runners["fit"].is_running
+
     def shut_down(self) -> None:
         """End the workers."""
-        for runner in self._runners.values():
+        for runner in self.runners.values():
             runner.shut_down(patience_s=0.2)

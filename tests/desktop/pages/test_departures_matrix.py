@@ -162,7 +162,7 @@ def test_no_column_is_cut_off_and_an_engine_that_rests_has_none(page: Departures
         for k in range(page.table.rows.columnCount())
         if not page.table.isColumnHidden(k)
     ]
-    assert shown == ["Leaves", "Hours", "Arrives", "kn", "Upwind", "Night"]
+    assert shown == ["Leaves", "Hours", "Arrives", "Wind", "Upwind", "Night"]
     page.resize(662, 420)
     QApplication.processEvents()
     assert bar.maximum() == 0, page.table.width()
@@ -180,8 +180,7 @@ def test_it_speaks_in_the_units_that_were_chosen(
     assert "300 nm" in page.detail.text()
     try:
         choose_units(wind="m/s", distance="km")
-        assert page.table.rows.headerData(4, Qt.Orientation.Horizontal) == "m/s"
-        assert page.table.rows.index(0, 4).data() == "12", "24 kn"
+        assert page.table.rows.index(0, 4).data() == "12 m/s", "24 kn"
         assert "556 km" in page.detail.text()
     finally:
         choose_units(wind="kn", distance="nm")

@@ -125,7 +125,7 @@ def test_passages_appear_one_by_one(page: DeparturesPage, comparer: HeldComparer
         comparer.let_go()
     assert phase_of(page) is Phase.DONE
     assert page.sentence.text() == "Leaving Sunday 18:00 UTC saves 6 h: 34 h 00 under way instead of 40 h 00."
-    assert page.heading.text() == "Gdynia - Sandhamn, Bavaria 46 Cruiser"
+    assert page.heading.text() == "Gdynia – Sandhamn, Bavaria 46 Cruiser"
     assert "Test wind" in page.notice.text()
 
 
@@ -135,7 +135,7 @@ def test_the_table_has_the_figures_and_the_reason(
     compared(page, comparer, qtbot)
     model = page.table.sorted
     best = [str(model.index(2, column).data()) for column in range(model.columnCount())]
-    assert best == ["Sun 20 18:00", BAVARIA, "34 h 00", "Tue 22 04:00", "23", "25 %", "8", "–"]
+    assert best == ["Sun 20 18:00", BAVARIA, "34 h 00", "Tue 22 04:00", "23 kn", "25 %", "8", "–"]
     assert page.table.isColumnHidden(1)
     assert cells(page, 2)[1] == "No passage: becalmed"
     assert page.table.columnSpan(1, 2) == 6
