@@ -112,6 +112,8 @@ class Entry:
     def provenance(self, now: datetime) -> str:
         """Say when it was computed, with which forecast, and how old that is by now."""
         told = f"Computed on {format_day_time(self.computed)} UTC with {self.source}"
+        if not self.is_real and "not a forecast" in self.source:
+            return f"Computed on {format_day_time(self.computed)} UTC with {self.source}."
         if not self.is_real:
             return f"{told}, which is no forecast."
         if self.issued is None:

@@ -199,6 +199,9 @@ def test_where_it_is_from_and_how_old(shelf: SavedPassages, asked: Asked) -> Non
     nameless = replace(passage, forecast=replace(real, issued=None))
     assert "does not say" in shelf.save(nameless, asked, windy(), now=NOW).provenance(NOW)
     assert shelf.save(passage, asked, windy(), now=NOW).provenance(NOW).endswith(", which is no forecast.")
+    practice = replace(passage.forecast, source="Practice weather - generated, not a forecast", real=False)
+    made_up = shelf.save(replace(passage, forecast=practice), asked, windy(), now=NOW).provenance(NOW)
+    assert made_up.endswith("with Practice weather - generated, not a forecast.")
 
 
 # ---------------------------------------------------------------------------------------- the list

@@ -2156,6 +2156,10 @@ Przybycie {arrives}</translation>
         <translation>Obliczono {} UTC, wiatr: {}</translation>
     </message>
     <message>
+        <source>Computed on {} UTC with {}.</source>
+        <translation>Obliczono {} UTC, wiatr: {}.</translation>
+    </message>
+    <message>
         <source>Drawing lines of equal time</source>
         <translation>Rysowanie linii równego czasu</translation>
     </message>
@@ -3646,6 +3650,10 @@ Przybycie {arrives}</translation>
     <message>
         <source>north</source>
         <translation>północ</translation>
+    </message>
+    <message>
+        <source>not a forecast</source>
+        <translation>to nie prognoza</translation>
     </message>
     <message>
         <source>not a record of ours ({})</source>
@@ -6375,6 +6383,10 @@ Przybycie {arrives}</translation>
     <message>
         <source>members of an ensemble</source>
         <translation>człony wiązki</translation>
+    </message>
+    <message>
+        <source>needs a key</source>
+        <translation>wymaga klucza</translation>
     </message>
     <message>
         <source>not now</source>

@@ -17,7 +17,7 @@ from seacruise.desktop.jobs import JobRunner
 from seacruise.desktop.language import sentence
 from seacruise.desktop.pages.inbox import Inbox
 from seacruise.desktop.units_choice import short_moment
-from seacruise.export.textform import format_duration
+from seacruise.export.textform import format_day_time, format_duration
 from seacruise.geodesy import great_circle_m
 from seacruise.progress import Job
 from seacruise.units import METRES_PER_NM
@@ -84,7 +84,7 @@ class Way:
         """Name and duration in English, for files."""
         name = f"{self.side} of {self.island}" if self.side else "direct"
         if self.leaving is not None:
-            name = f"leaving {self.leaving:%d %b %H:%M} UTC"
+            name = f"leaving {format_day_time(self.leaving)} UTC"
         elif self.turns is not None:
             name = f"tacks and gybes: {self.turns}"
         return f"{name}, {format_duration(self.hours)}"

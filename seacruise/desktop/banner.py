@@ -101,16 +101,23 @@ class Banner(QFrame):
         self.deleteLater()
 
     def _name(self) -> None:
-        self.setAccessibleName(" ".join(_texts(self.message)))
+        whole = sentence(self.message.sentence)
+        told = (self.message.title, whole, self.message.advice)
+        self.setAccessibleName(" ".join(filter(None, told)))
+        self.setToolTip(whole if self.message.brief else "")
 
 
 def _texts(message: Message) -> list[str]:
-    return [text for text in (message.title, sentence(message.sentence), message.advice) if text]
+    whole = sentence(message.sentence)
+    if message.brief:
+        return [message.title or first_sentence(whole)]
+    return [text for text in (message.title, whole, message.advice) if text]
 
 
 def _form(message: Message) -> tuple[object, ...]:
     return (
         message.kind,
+        message.brief,
         message.way_out,
         message.other,
         bool(message.title),

@@ -93,7 +93,7 @@ class Layers(QObject):
             view.set_palette(PALETTES[light])
             self.light_changed.emit(light)
         edges = self._answer.passage.lattice_edges if self._answer is not None else None
-        view.coast.show_lattice(edges() if edges is not None and self.is_on("lattice") else None)
+        view.coast.show_lattice(edges if self.is_on("lattice") else None)
         view.refresh_coast()
         self._demand_lines()
         self.ways.show(self._answer, islands=self.is_on("others"), turns=self.is_on("turns"))

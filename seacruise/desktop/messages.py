@@ -46,6 +46,8 @@ class Message:
     ----------
     way_out, other
         What its buttons do; ``other`` is the second choice.
+    brief
+        Its title is enough, and its first sentence where it has none; all of it is told to who points at it.
     """
 
     kind: Literal["info", "warning", "error"]
@@ -54,6 +56,7 @@ class Message:
     advice: str = ""
     way_out: WayOut = WayOut.NOTHING
     other: WayOut = WayOut.NOTHING
+    brief: bool = False
 
 
 def tr(text: str) -> str:
@@ -263,7 +266,7 @@ def notices_of(passage: Passage, now: datetime) -> list[Message]:
     messages = []
     if forecast.notice:
         title = tr("About this forecast") if real else tr("Not a forecast for today")
-        messages.append(Message("warning", title, forecast.notice))
+        messages.append(Message("warning", title, forecast.notice, brief=not real))
     if real and forecast.issued is not None and (age := age_h(forecast.issued, now)) >= STALE_H:
         messages.append(
             Message(

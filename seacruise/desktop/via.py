@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import fields, replace
+from collections.abc import Callable
+from dataclasses import dataclass, fields, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 if TYPE_CHECKING:
     from seacruise.passage import Checks, Passage, SearchReport, Track
@@ -17,7 +19,7 @@ def join(first: Passage, second: Passage, *, direct_distance_nm: float) -> Passa
     The place between stays a waypoint. No lower bound is told: the second search left when the first
     arrived, and says nothing about leaving earlier.
     """
-    edges = [p.lattice_edges for p in (first, second) if p.lattice_edges is not None]
+    edges = tuple(p.lattice_edges for p in (first, second) if p.lattice_edges is not None)
     notices = dict.fromkeys((*first.notices, *second.notices))
     return replace(
         first,
@@ -39,8 +41,18 @@ def join(first: Passage, second: Passage, *, direct_distance_nm: float) -> Passa
         search=_sum(first.search, second.search),
         track=_chain(first.track, second.track, legs=len(first.waypoints) - 1),
         notices=tuple(notices),
-        lattice_edges=(lambda: np.concatenate([of() for of in edges])) if edges else None,
+        lattice_edges=_Edges(edges) if edges else None,
     )
+
+
+@dataclass(frozen=True, slots=True)
+class _Edges:
+    """Edges of several lattices; the same where the lattices are."""
+
+    parts: tuple[Callable[[], NDArray[np.float32]], ...]
+
+    def __call__(self) -> NDArray[np.float32]:
+        return np.concatenate([edges() for edges in self.parts])
 
 
 def _both(a: Checks, b: Checks) -> Checks:

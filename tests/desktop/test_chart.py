@@ -1,12 +1,14 @@
 from __future__ import annotations
 
 import math
+import threading
 
 import numpy as np
 import pytest
 import shapely
 from hypothesis import given
 from hypothesis import strategies as st
+from numpy.typing import NDArray
 from PySide6.QtCore import QPoint, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QImage, QWheelEvent
 from PySide6.QtTest import QTest
@@ -353,9 +355,17 @@ def test_the_lattice_darkens_the_water(view: ChartView, qtbot: QtBot) -> None:
     view.fit(rectangle(56.9, 19.6, 57.1, 20.2))
     settle(view, qtbot)
     assert colour_at(view, 57.013, 19.913) == palette.DAY.water
-    view.coast.show_lattice(np.array([[57.013, 19.5, 57.013, 20.3]], dtype=np.float32))
+    put_together: list[threading.Thread] = []
+
+    def edges() -> NDArray[np.float32]:
+        put_together.append(threading.current_thread())
+        return np.array([[57.013, 19.5, 57.013, 20.3]], dtype=np.float32)
+
+    view.coast.show_lattice(edges)
     view.refresh_coast()
     settle(view, qtbot)
+    assert put_together
+    assert threading.main_thread() not in put_together, "a lattice has a million edges"
     shades = [colour_at(view, 57.013 + d / 2000, 19.913).lightness() for d in range(-3, 4)]
     assert min(shades) < palette.DAY.water.lightness()
 

@@ -532,7 +532,7 @@ def test_a_rough_answer_says_so_and_names_what_it_goes_by(window_with_route: Mai
     via = Port("Visby", "SE", 57.64, 18.28)
     window._rerouted(replace(answer, rough=True, question=replace(answer.question, via=via)))
     said = texts_of(window)
-    assert "Roughly so far: Gdynia - Sandhamn" in said
+    assert "Roughly so far: Gdynia – Sandhamn" in said
     assert "By way of\nVisby" in said
     window._rerouted(answer)
     assert "Roughly" not in texts_of(window)

@@ -72,7 +72,7 @@ def test_every_way_out_has_words() -> None:
 def test_practice_weather_is_called_so_before_anything_else() -> None:
     passage = hand_made_passage()
     first, *others = notices_of(passage, datetime.now(UTC))
-    assert first == Message("warning", "Not a forecast for today", passage.forecast.notice)
+    assert first == Message("warning", "Not a forecast for today", passage.forecast.notice, brief=True)
     assert passage.notices[0] in others[0].sentence
     assert all(passage.forecast.notice not in other.sentence for other in others)
 

@@ -396,6 +396,28 @@ def test_folded_away_while_it_is_empty_it_comes_back(window: MainWindow, qtbot: 
     qtbot.waitUntil(lambda: window.pane.height() == whole)
 
 
+def test_after_a_restart_the_chart_has_what_the_empty_pane_does_not_need(
+    make_window: Callable[..., MainWindow], planner: HeldPlanner, settings: Settings, qtbot: QtBot
+) -> None:
+    first = make_window(memory=WindowMemory(settings.data_dir))
+    planner.gate.set()
+    with qtbot.waitSignal(first.settled, timeout=20_000):
+        first.calculate()
+    first.splitter.setSizes([300, 360])
+    qtbot.waitUntil(lambda: first.pane.height() > 300)
+    first.close()
+    memory = WindowMemory(settings.data_dir)
+    second = make_window(memory=memory, fill=False)
+    memory.restore_geometry(second, second.splitter)
+    qtbot.waitUntil(lambda: second.splitter.sizes()[1] == second.pane.height() < 120)
+    second.resize(1000, 700)
+    qtbot.waitUntil(lambda: second.splitter.height() < 700)
+    assert second.splitter.sizes()[1] == second.pane.height() < 120
+    with qtbot.waitSignal(second.settled, timeout=20_000):
+        second.calculate()
+    qtbot.waitUntil(lambda: second.pane.height() > 240)
+
+
 def test_the_tab_is_kept_for_the_next_start(
     make_window: Callable[..., MainWindow], settings: Settings, qtbot: QtBot
 ) -> None:

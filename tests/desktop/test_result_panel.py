@@ -68,6 +68,18 @@ def test_gusts_are_told_where_the_forecast_has_them(passage: Passage) -> None:
     assert float(gusts.removesuffix(" kn")) == pytest.approx(1.4 * float(told), abs=1.5)
 
 
+def test_why_there_is_practice_weather_is_told_to_who_points_at_it(
+    panel: ResultPanel, passage: Passage
+) -> None:
+    whole = "Practice weather: generated, not a forecast. It stands in because no Storm Glass key is set."
+    unreal = replace(passage.forecast, real=False, notice=whole)
+    panel.show_passage(replace(passage, forecast=unreal, notices=(whole,)), NOW, earlier=False)
+    (card,) = [card for card in panel._banners if card.message.kind == "warning"]
+    assert [label.text() for label in card.findChildren(QLabel)] == ["Not a forecast for today"]
+    assert card.toolTip() == whole
+    assert whole in card.accessibleName()
+
+
 @pytest.mark.parametrize(("times", "name"), [(1.0, ""), (2.0, "fault")])
 def test_a_near_gale_is_told_in_red(panel: ResultPanel, passage: Passage, times: float, name: str) -> None:
     track = replace(passage.track, tws_kn=passage.track.tws_kn * times)

@@ -83,7 +83,7 @@ def test_every_source_is_there_with_what_it_gives_and_its_terms(page: WeatherPag
     assert "members of an ensemble" in said(page.cards["open-meteo-ensemble"])
     assert "MET Norway (CC BY 4.0)" in said(page.cards["metno"])
     assert "not a forecast" in said(page.cards["practice"])
-    assert page.cards["stormglass"].status.text() == "not now"
+    assert page.cards["stormglass"].status.text() == "needs a key"
     assert "Needs a key" in said(page.cards["stormglass"])
     assert "Nothing kept yet" in said(page.cards["metno"])
 

@@ -18,6 +18,7 @@ from PySide6.QtCore import QLineF, QRectF, Qt
 from PySide6.QtGui import QBrush, QColor, QImage, QPainter, QPainterPath, QPen, QPolygonF, QTransform
 
 from seacruise.desktop.chart.depth_layer import DepthTints, pixels_of
+from seacruise.desktop.chart.kept import Kept
 from seacruise.desktop.chart.land import LandCells, Points, cell_box
 from seacruise.desktop.chart.palette import DAY, Palette
 from seacruise.desktop.chart.plane import CHARTED, to_plane
@@ -31,6 +32,9 @@ _DEEPEST: Final = 16
 _LEAST_PX: Final = 1.8
 _LEVEL_BELOW_M_PX: Final = (3600.0, 420.0)
 """Metres of the Mercator plane a pixel [m] above which level 0, and above which level 1 is fine enough."""
+
+_MOST_ELEMENTS: Final = 300_000
+"""Points of all paths that are kept, of 24 bytes each."""
 
 _LINES_A_STEP: Final = 500
 _INK_PER_PX: Final = 2.2
@@ -98,7 +102,9 @@ class Painter:
         self._levels = [LandCells(level) for level in range(CHART_LEVELS)]
         self._world = LandCells(None)
         self._depths = DepthTints()
-        self._paths: dict[tuple[int, int, int, int], QPainterPath] = {}
+        self._paths: Kept[tuple[int, int, int, int], QPainterPath] = Kept(
+            _MOST_ELEMENTS, lambda path: 1 + path.elementCount()
+        )
 
     def paint(self, extent: Extent, lattice: NDArray[np.float32] | None, job: Job) -> Picture:
         """Paint coast and, when given, the lattice ``(n, 4)`` of lat1, lon1, lat2, lon2 [degrees].
@@ -184,9 +190,7 @@ class Painter:
             for ring in land.cell(depth, column, row).split(least_m):
                 path.addPolygon(polygon_of(ring))
                 path.closeSubpath()
-            if len(self._paths) > 4000:
-                self._paths.clear()
-            self._paths[key] = path
+            self._paths.put(key, path)
         return path
 
 

@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, Final
 
-import numpy as np
-from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QPainter, QTransform
 
@@ -19,6 +17,9 @@ from seacruise.desktop.chart.turns import PoliteJob, Turns
 from seacruise.sea.depth import chart_depths
 
 if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
     from seacruise.desktop.jobs import JobRunner
     from seacruise.progress import Job
 
@@ -47,14 +48,14 @@ class CoastLayer(Layer):
         self._painter = Painter()
         self._picture: Picture | None = None
         self._wanted: Extent | None = None
-        self._lattice: NDArray[np.float32] | None = None
+        self._lattice: Callable[[], NDArray[np.float32]] | None = None
         self._stale = True
         self._depths = False
         runner.finished.connect(self._painted)
 
-    def show_lattice(self, edges: NDArray[np.float32] | None) -> None:
-        """Show the edges of a lattice ``(n, 4)``, or none."""
-        if edges is not self._lattice:
+    def show_lattice(self, edges: Callable[[], NDArray[np.float32]] | None) -> None:
+        """Show the edges of a lattice ``(n, 4)``, or none; the worker that paints puts them together."""
+        if edges != self._lattice:
             self._lattice = edges
             self._stale = True
 
@@ -118,7 +119,8 @@ class CoastLayer(Layer):
         self._wanted, self._stale = extent, False
 
         def work(job: Job) -> Any:
-            return painter.paint(extent, lattice, PoliteJob(job.report, job.cancel, turns))
+            edges = lattice() if lattice is not None else None
+            return painter.paint(extent, edges, PoliteJob(job.report, job.cancel, turns))
 
         self._runner.run_job(work)
 

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QRectF
 
+from seacruise.desktop.chart.kept import Kept
 from seacruise.desktop.chart.plane import CHARTED, WORLD, to_plane
 from seacruise.sea.coast import chart_land, world_land
 
@@ -22,7 +23,8 @@ Points = NDArray[np.float64]
 MARGIN: Final = 1.0 / 16.0
 """Overlap to each side, as a share of a cell."""
 
-_MOST_CELLS: Final = 3000
+_MOST_POINTS: Final = 500_000
+"""Points of all cells that are kept; each depth of quartering has those of the whole once more."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -123,7 +125,7 @@ class LandCells:
     def __init__(self, level: int | None) -> None:
         self._level = level
         self.frame = WORLD if level is None else CHARTED
-        self._cells: dict[tuple[int, int, int], Rings] = {}
+        self._cells: Kept[tuple[int, int, int], Rings] = Kept(_MOST_POINTS, lambda rings: len(rings.points))
 
     def _whole(self) -> Rings:
         polygons = world_land() if self._level is None else chart_land(self._level)
@@ -141,11 +143,7 @@ class LandCells:
         else:
             box = _margined(depth, column, row, self.frame)
             found = clip_rings(self.cell(depth - 1, column // 2, row // 2), box)
-        if len(self._cells) >= _MOST_CELLS:
-            # The shallow cells are what is dear; the deep ones come back in no time.
-            self._cells = {k: v for k, v in self._cells.items() if k[0] <= 4}
-        self._cells[key] = found
-        return found
+        return self._cells.put(key, found)
 
 
 def cell_box(depth: int, column: int, row: int, frame: QRectF = CHARTED) -> tuple[float, float, float, float]:

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from datetime import UTC, datetime
 from itertools import pairwise
 from typing import Final
 
-from PySide6.QtCore import QDate, QEvent, QLocale, QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
     QColor,
     QFocusEvent,
+    QFontMetricsF,
     QKeyEvent,
     QMouseEvent,
     QPainter,
@@ -22,6 +22,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from seacruise.desktop.language import fill
+from seacruise.desktop.pages.day_axis import day_clock, day_text, midnights, moment_at, ticks_of_day
 from seacruise.desktop.pages.departures_model import Curve, Dot, Measure
 from seacruise.desktop.pages.plot import HOURS_PER_DAY, Scale, step_h, ticks_h, with_room
 from seacruise.desktop.style import (
@@ -37,7 +38,6 @@ from seacruise.desktop.style import (
     scaled_font,
     tinted,
 )
-from seacruise.desktop.units_choice import in_zone
 from seacruise.units import SECONDS_PER_HOUR
 
 COLOURS: Final = (ACCENT, MAGENTA, GOOD_INK, WARNING_INK)
@@ -177,6 +177,44 @@ class DepartureCurve(QWidget):
         height = y.begin - 6.0 if dot.value is None else y.to_px(dot.value)
         return QPointF(x.to_px(dot.time / SECONDS_PER_HOUR), height)
 
+    def box_of_name(self) -> QRectF | None:
+        """Where the best departure is named [pixels]: over no dot, and over least of a line."""
+        scales, dot = self._scales(), self._dot(self._named)
+        if scales is None or dot is None:
+            return None
+        at, frame, gap = self._place(dot, *scales), self._frame(), 3.0 * _DOT_PX
+        metrics = QFontMetricsF(scaled_font(self._small, 1.0, bold=True))
+        wide, high = metrics.horizontalAdvance(self.tr("shortest")) + 4.0, metrics.height()
+        # Within the frame: the words beside the axis are not to be written over.
+        left = min(max(at.x() - wide / 2.0, frame.left()), frame.right() - wide)
+        corners = (
+            (left, at.y() - gap - high),
+            (at.x() - gap - wide, at.y() - high / 2.0),
+            (at.x() + gap, at.y() - high / 2.0),
+            (left, at.y() + gap),
+        )
+        boxes = [QRectF(*corner, wide, high) for corner in corners]
+        inked = self._inked(*scales)
+        free = [box for box in boxes if frame.contains(box)] or boxes[:1]
+        return min(free, key=lambda box: sum(weight for place, weight in inked if box.contains(place)))
+
+    def _inked(self, x: Scale, y: Scale) -> list[tuple[QPointF, int]]:
+        """Points on the curves, with how much it matters that each is seen."""
+        points = []
+        for curve in self._curves:
+            for part in _parts(curve.dots, lambda dot: dot.value is not None):
+                places = [self._place(dot, x, y) for dot in part]
+                for off in (
+                    QPointF(-_DOT_PX, 0),
+                    QPointF(_DOT_PX, 0),
+                    QPointF(0, -_DOT_PX),
+                    QPointF(0, _DOT_PX),
+                ):
+                    points += [(place + off, 100) for place in places]
+                for here, there in pairwise(places):
+                    points += [(here + (there - here) * (k / 12.0), 1) for k in range(13)]
+        return points
+
     def _nearest(self, at: QPointF) -> int | None:
         """Departure under the pointer: the nearest dot of the nearest departure in time."""
         scales = self._scales()
@@ -270,6 +308,7 @@ class DepartureCurve(QWidget):
                 self._draw_band(painter, curve, self._ink(COLOURS[number % 4], 46), *scales)
             for number, curve in enumerate(self._curves):
                 self._draw_curve(painter, curve, number % 4, *scales)
+            self._draw_name(painter)
             self._draw_legend(painter)
         if self.hasFocus():
             painter.setBrush(Qt.BrushStyle.NoBrush)
@@ -280,13 +319,13 @@ class DepartureCurve(QWidget):
     def _draw_axes(self, painter: QPainter, x: Scale, y: Scale) -> None:
         metrics, frame = painter.fontMetrics(), self._frame()
         grid, text = QPen(self._ink(LINE), 1.0), self._ink(MUTED)
-        ticks = ticks_h if self._measure == "duration" else _ticks_of_day
+        ticks = ticks_h if self._measure == "duration" else ticks_of_day
         for value in ticks(y.low, y.high, max(2, int(frame.height() / (2.2 * metrics.height())))):
             at = y.to_px(value)
             painter.setPen(grid)
             painter.drawLine(QPointF(frame.left(), at), QPointF(frame.right(), at))
             painter.setPen(text)
-            label = fill(self.tr("{h:g} h"), h=value) if self._measure == "duration" else _day_clock(value)
+            label = fill(self.tr("{h:g} h"), h=value) if self._measure == "duration" else day_clock(value)
             box = QRectF(0, at - metrics.height() / 2, frame.left() - 6, metrics.height())
             painter.drawText(box, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter, label)
         self._draw_times(painter, x)
@@ -298,20 +337,20 @@ class DepartureCurve(QWidget):
         metrics, frame = painter.fontMetrics(), self._frame()
         most = max(2, int(frame.width() / (metrics.horizontalAdvance("00 MMM") + 14)))
         by_day = step_h(x.high - x.low, most) >= HOURS_PER_DAY
-        for value in _ticks_of_day(x.low, x.high, most):
+        for value in ticks_of_day(x.low, x.high, most):
             at = x.to_px(value)
             painter.setPen(QPen(self._ink(LINE), 1.0))
             painter.drawLine(QPointF(at, frame.top()), QPointF(at, frame.bottom() + 3))
             painter.setPen(self._ink(MUTED))
             box = QRectF(at - 50, frame.bottom() + 4, 100, metrics.height())
-            text = _day(value, "d MMM") if by_day else f"{_moment(value):%H:%M}"
+            text = day_text(value, "d MMM") if by_day else f"{moment_at(value):%H:%M}"
             painter.drawText(box, Qt.AlignmentFlag.AlignHCenter, text)
         if by_day:
             return
         painter.setPen(self._ink(INK))
-        days = [x.low, *_midnights(x.low, x.high)]
+        days = [x.low, *midnights(x.low, x.high)]
         for begin, end in pairwise([*days, math.inf]):
-            label = _day(begin, "ddd d MMM")
+            label = day_text(begin, "ddd d MMM")
             left = max(x.to_px(begin), frame.left())
             right = self.width() if math.isinf(end) else x.to_px(end) - 8
             if left + metrics.horizontalAdvance(label) <= right:
@@ -365,19 +404,15 @@ class DepartureCurve(QWidget):
             for side in (-1, 1):
                 arm = QPointF(_DOT_PX, side * _DOT_PX)
                 painter.drawLine(at - arm, at + arm)
-        if dot.number == self._named:
-            font = painter.font()
-            painter.setFont(scaled_font(font, 1.0, bold=True))
-            text, metrics = self.tr("shortest"), painter.fontMetrics()
-            half = metrics.horizontalAdvance(text) / 2.0 + 2.0
-            # Within the frame: the words beside the axis are not to be written over.
-            middle = min(max(at.x(), self._frame().left() + half), self._frame().right() - half)
-            box = QRectF(middle - 60, at.y() - 3.0 * _DOT_PX - metrics.height(), 120, metrics.height())
-            ground = QRectF(middle - half, box.top(), 2.0 * half, box.height())
-            painter.fillRect(ground, self._ink(CARD))
+
+    def _draw_name(self, painter: QPainter) -> None:
+        """Name the best departure."""
+        if (box := self.box_of_name()) is not None:
+            painter.setFont(scaled_font(self._small, 1.0, bold=True))
+            painter.fillRect(box, self._ink(CARD))
             painter.setPen(self._ink(INK))
-            painter.drawText(box, Qt.AlignmentFlag.AlignHCenter, text)
-            painter.setFont(font)
+            painter.drawText(box, Qt.AlignmentFlag.AlignCenter, self.tr("shortest"))
+            painter.setFont(self._small)
 
     def _draw_legend(self, painter: QPainter) -> None:
         """Name the yachts above the frame, where there are several; each gets its share of the width."""
@@ -393,39 +428,6 @@ class DepartureCurve(QWidget):
             painter.setPen(self._ink(INK))
             name = metrics.elidedText(curve.yacht, Qt.TextElideMode.ElideRight, int(share - 32))
             painter.drawText(QPointF(left + 27, 2 + metrics.ascent()), name)
-
-
-def _moment(hours: float) -> datetime:
-    return in_zone(datetime.fromtimestamp(hours * SECONDS_PER_HOUR, UTC))
-
-
-def _zone_h(hours: float) -> float:
-    """How far the clock that is shown is ahead of UTC [h]."""
-    offset = _moment(hours).utcoffset()
-    return offset.total_seconds() / SECONDS_PER_HOUR if offset else 0.0
-
-
-def _ticks_of_day(low: float, high: float, most: int) -> list[float]:
-    """Even hours of the clock that is shown, as hours since 1970."""
-    ahead = _zone_h(low)
-    return [tick - ahead for tick in ticks_h(low + ahead, high + ahead, most)]
-
-
-def _midnights(low: float, high: float) -> list[float]:
-    """Beginnings of the days, as hours since 1970."""
-    ahead = _zone_h(low)
-    first, last = math.ceil((low + ahead) / HOURS_PER_DAY), math.floor((high + ahead) / HOURS_PER_DAY)
-    return [HOURS_PER_DAY * k - ahead for k in range(first, last + 1)]
-
-
-def _day(hours: float, pattern: str) -> str:
-    local = _moment(hours)
-    return QLocale().toString(QDate(local.year, local.month, local.day), pattern)
-
-
-def _day_clock(hours: float) -> str:
-    """Write a moment of the axis of arrivals: ``Wed 06:00``."""
-    return f"{_day(hours, 'ddd')} {_moment(hours):%H:%M}"
 
 
 def _parts(dots: Sequence[Dot], is_there: Callable[[Dot], bool]) -> list[list[Dot]]:

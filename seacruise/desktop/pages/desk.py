@@ -46,7 +46,7 @@ class Desk(QObject):
         if self._weather is None:
             from seacruise.desktop.pages.weather_page import WeatherPage
 
-            page = self._weather = WeatherPage(self._settings)
+            page = self._weather = WeatherPage(self._settings, QDialog(self._window))
             self._in_window(page, self.tr("Weather"), "weather", (620, 760))
             form = self._window.form
             page.source_chosen.connect(lambda name: form.set_forecast((name,)))
@@ -99,7 +99,7 @@ class Desk(QObject):
         if self._yachts is None:
             from seacruise.desktop.pages.yacht_page import YachtPage
 
-            page, form = YachtPage(self._settings), self._window.form
+            page, form = YachtPage(self._settings, QDialog(self._window)), self._window.form
             self._yachts = page
             self._in_window(page, self.tr("Yachts"), "yachts", (900, 720), page.view.table)
             page.show_light(self._window.layers.light)
@@ -124,7 +124,7 @@ class Desk(QObject):
         if self._passages is None:
             from seacruise.desktop.pages.passages_page import PassagesPage
 
-            page = self._passages = PassagesPage(self._settings)
+            page = self._passages = PassagesPage(self._settings, QDialog(self._window))
             self._in_window(page, self.tr("Saved passages"), "passages", (760, 420), page.table)
             page.open_requested.connect(self.open_saved)
             page.save_requested.connect(self.save)
@@ -160,7 +160,9 @@ class Desk(QObject):
     def _in_window(
         self, page: QWidget, title: str, name: str, size: tuple[int, int], *tables: RowsTable
     ) -> None:
-        dialog = QDialog(self._window)
+        """Show a page in the dialog it was made in: put there later, all of it would be dressed anew."""
+        dialog = page.window()
+        assert isinstance(dialog, QDialog)
         dialog.setWindowTitle(title)
         layout = QVBoxLayout(dialog)
         layout.setContentsMargins(0, 0, 0, 0)

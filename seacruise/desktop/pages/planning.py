@@ -35,8 +35,11 @@ if TYPE_CHECKING:
 
 _EDGE_PX: Final = 30
 _PAUSE_MS: Final = 120
-_MODULES: Final = ("departures_curve", "departures_matrix", "departures_page", "reach_model", "reach_page")
-"""What the pages are made of, in portions that are loaded in a few milliseconds each."""
+_MODULES: Final = (
+    "departures_curve", "departures_matrix", "departures_page", "reach_model", "reach_page",
+    "weather_model", "key_box", "source_card", "weather_page",
+)  # fmt: skip
+"""What these pages and that of the weather are made of, in portions loaded in a few milliseconds each."""
 
 
 class Planning(QObject):

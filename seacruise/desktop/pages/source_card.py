@@ -176,13 +176,12 @@ class Card(QFrame):
         self.use_button.style().polish(self.use_button)
         self.use_button.setAccessibleDescription(tr("in use") if in_use else "")
 
-    def show_source(self, source: Source, *, offline: bool) -> None:
-        """Show what is known of a source."""
+    def show_source(self, source: Source, *, offline: bool, keyless: bool = False) -> None:
+        """Show what is known of a source; ``keyless`` one that waits for a key."""
         unreached = offline and self.name in ONLINE
-        self._say_status(
-            tr("not reached") if unreached else tr("ready") if source.usable else tr("not now"),
-            good=source.usable and not unreached,
-        )
+        why_not = tr("needs a key") if keyless else tr("not now")
+        state = tr("not reached") if unreached else tr("ready") if source.usable else why_not
+        self._say_status(state, good=source.usable and not unreached)
         remark = sentence(source.remark)
         self._tell(self.remark, remark[:1].upper() + remark[1:])
         self._tell(self.gives, gives_text(source.gives) if source.gives else "")

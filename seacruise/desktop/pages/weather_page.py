@@ -91,9 +91,10 @@ class WeatherPage(QFrame):
         self._loader.failed.connect(lambda _, error: self._say_fault(error))
         self._reader.finished.connect(lambda _, info: self._file_done(info))
         self._reader.failed.connect(lambda _, error: self._file_done(error))
-        self.cards = {name: Card(name, self) for name in ORDER}
+        self._body = self._scrolled()
+        self.cards = {name: Card(name, self._body) for name in ORDER}
         self.files: dict[str, Card] = {}
-        self.key_box = KeyBox(settings, self)
+        self.key_box = KeyBox(settings, self.cards["stormglass"])
         self._make_parts()
         self._lay_out()
         self._connect()
@@ -101,8 +102,24 @@ class WeatherPage(QFrame):
 
     # --- building -----------------------------------------------------------------------------------
 
+    def _scrolled(self) -> QWidget:
+        """Make what everything stands in, first: whatever is put elsewhere later is dressed once more."""
+        self.area = area = QScrollArea(self)
+        area.setObjectName("side")
+        area.setFrameShape(QFrame.Shape.NoFrame)
+        area.setWidgetResizable(True)
+        area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        body = QWidget(self)
+        body.setObjectName("sideBody")
+        area.setWidget(body)
+        outer = QVBoxLayout(self)
+        outer.setContentsMargins(0, 0, 0, 0)
+        outer.addWidget(area)
+        return body
+
     def _make_parts(self) -> None:
-        self.chosen = text_label("", "hint", self)
+        self.chosen = text_label("", "hint", self._body)
         self.drop_zone = text_label(
             self.tr("Drop a GRIB or NetCDF file anywhere on this page to see what it covers."), "hint", self
         )
@@ -121,8 +138,7 @@ class WeatherPage(QFrame):
         self._banner: Banner | None = None
 
     def _lay_out(self) -> None:
-        body = QWidget(self)
-        body.setObjectName("sideBody")
+        body = self._body
         self._column = QVBoxLayout(body)
         self._column.setContentsMargins(14, 12, 14, 14)
         self._column.setSpacing(9)
@@ -137,20 +153,9 @@ class WeatherPage(QFrame):
         after = named(self.tr("&After the end of the forecast"), self.beyond_box)
         self._column.addWidget(self._boxed("", self.beyond_text, after))
         self._column.addStretch()
-        area = QScrollArea(self)
-        area.setObjectName("side")
-        area.setFrameShape(QFrame.Shape.NoFrame)
-        area.setWidgetResizable(True)
-        area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        area.setWidget(body)
-        self.area = area
-        outer = QVBoxLayout(self)
-        outer.setContentsMargins(0, 0, 0, 0)
-        outer.addWidget(area)
 
     def _boxed(self, title: str, text: QWidget, control: QWidget) -> QFrame:
-        card = QFrame(self)
+        card = QFrame(self._body)
         card.setObjectName("card")
         layout = QVBoxLayout(card)
         layout.setContentsMargins(14, 10, 14, 11)
@@ -197,7 +202,7 @@ class WeatherPage(QFrame):
             keyless = found.name == "stormglass" and not self._state.key.place
             source = replace(found, remark=self.tr("Needs a key of your own.")) if keyless else found
             if source.name in self.cards:
-                self.cards[source.name].show_source(source, offline=self.is_offline)
+                self.cards[source.name].show_source(source, offline=self.is_offline, keyless=keyless)
         if self._trouble is not None:
             title = self.tr("No connection") if self.is_offline else self.tr("A service does not answer")
             advice = self.tr(
@@ -345,7 +350,7 @@ class WeatherPage(QFrame):
         if path in self._waiting:
             return
         self._drop_card(path)
-        card = Card(path, self)
+        card = Card(path, self._body)
         card.setToolTip(path)
         card.show_reading()
         card.used.connect(partial(self.choose, path))

@@ -8,7 +8,7 @@ from datetime import datetime
 from functools import partial
 
 import pytest
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QPoint, QRectF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QPushButton
 from pytestqt.qtbot import QtBot
@@ -16,6 +16,7 @@ from pytestqt.qtbot import QtBot
 from seacruise.desktop.compute import Question
 from seacruise.desktop.messages import WayOut
 from seacruise.desktop.pages.departures_curve import DepartureCurve
+from seacruise.desktop.pages.departures_model import Curve, Dot
 from seacruise.desktop.pages.departures_page import MOST_YACHTS, DeparturesPage
 from seacruise.desktop.pages.page import Phase
 from seacruise.errors import InputError
@@ -307,6 +308,24 @@ def test_the_curve_turns_to_arrivals(page: DeparturesPage, comparer: HeldCompare
     page._measures.button(1).click()
     assert page.measure == "arrival"
     assert page.curve.grab().toImage() != before
+
+
+@pytest.mark.parametrize("hours", [(50, 49, 47, 42, 39, 37), (37, 39, 42, 47, 49, 50), (45, 40, 37, 40, 45)])
+@pytest.mark.parametrize("width", [250, 320, 900])
+def test_the_best_departure_is_named_beside_the_dots(
+    app: QApplication, qtbot: QtBot, hours: tuple[float, ...], width: int
+) -> None:
+    curve = DepartureCurve()
+    qtbot.addWidget(curve)
+    curve.resize(width, 200)
+    dots = tuple(Dot(k, FIRST.timestamp() + 6 * 3600 * k, float(value)) for k, value in enumerate(hours))
+    best = hours.index(min(hours))
+    curve.show_curves([Curve(BAVARIA, dots)], "duration", best=frozenset({best}))
+    box = curve.box_of_name()
+    assert box is not None
+    assert QRectF(curve.rect()).contains(box)
+    places = [curve.place_of(dot.number) for dot in dots]
+    assert not [place for place in places if place is not None and box.contains(place)]
 
 
 def test_a_curve_without_departures_paints_and_takes_keys(app: QApplication, qtbot: QtBot) -> None:

@@ -73,6 +73,16 @@ def loaded(page: YachtPage, qtbot: QtBot) -> YachtPage:
     return page
 
 
+@pytest.mark.parametrize("size", [(900, 720), (900, 560), (760, 430)])
+def test_the_button_to_sail_with_her_is_in_sight(
+    loaded: YachtPage, qtbot: QtBot, size: tuple[int, int]
+) -> None:
+    loaded.resize(*size)
+    button = loaded.take_button
+    qtbot.waitUntil(lambda: button.visibleRegion().boundingRect() == button.rect())
+    assert loaded.view.mapTo(loaded, QPoint(0, 0)).y() >= 0
+
+
 def wait_for(page: YachtPage, name: str, qtbot: QtBot, other: str = "") -> None:
     """Wait until a yacht is shown."""
 
