@@ -124,7 +124,7 @@ class Answer:
             beyond=self.request.options.beyond,
             notices=self._notices(legs),
             lattice_edges=self.found.lattice.edges_in_degrees,
-            line=np.stack(from_mercator(self.found.line.x, self.found.line.y), axis=1),
+            line=np.stack(from_mercator(self.found.near.x, self.found.near.y), axis=1),
         )
 
     def _lower_bound_s(self) -> float:

@@ -6,10 +6,14 @@ docstring, not annotated.
 
 from __future__ import annotations
 
+import shutil
 import sys
+import tempfile
 from collections.abc import Callable
+from contextlib import suppress
+from functools import lru_cache
 from pathlib import Path
-from typing import Any
+from typing import Any, Final, Self
 
 from seacruise.settings import Settings
 
@@ -38,6 +42,12 @@ finally:
 
 _IS_BUNDLED = getattr(sys, "frozen", False)
 _HOME = Path(__file__).resolve().parent.parent
+
+_PROCESSOR: Final = "x86-64-v3"
+"""Processor that a bundle's kernels are made for: Intel's since 2013, AMD's since 2015."""
+
+_ABILITIES: Final = ("avx2", "bmi", "bmi2", "f16c", "fma", "lzcnt", "movbe")
+"""What it has beyond older ones, in LLVM's words."""
 
 
 def kernel(function: Callable[..., Any]) -> Callable[..., Any]:
@@ -73,8 +83,7 @@ def _compile(function: Callable[..., Any], **more: str) -> Callable[..., Any]:
     options: dict[str, Any] = {"nogil": True, "error_model": "numpy", **more}
     compiled: Callable[..., Any]
     if _IS_BUNDLED:
-        _place(function)
-        _keep_in_cache()
+        _take_what_the_bundle_brings()
     try:
         compiled = njit(cache=True, **options)(function)
     except RuntimeError:
@@ -87,13 +96,91 @@ def _compile(function: Callable[..., Any], **more: str) -> Callable[..., Any]:
     return compiled
 
 
-def _place(function: Callable[..., Any]) -> None:
-    # Code in a bundle names its file relative to the bundle. numba would look for it where the sailor
-    # happens to stand, and compile anew in every other folder.
-    code = function.__code__
-    function.__code__ = code.replace(co_filename=str(_HOME / code.co_filename))
-
-
 def _keep_in_cache() -> None:
     kept = Settings.from_environment().cache_dir / "kernels"
     numba.config.CACHE_DIR = str(kept)  # type: ignore[attr-defined]
+
+
+class BundledKernels:
+    """Where numba keeps a bundle's kernels: by module and build, wherever the bundle and its user are.
+
+    numba asks it what it asks each of its own locators (``numba.core.caching``), which go by the path of the
+    source; in a bundle that changes when the folder is moved.
+    """
+
+    def __init__(self, folder: Path, line: int) -> None:
+        self._folder = folder
+        self._line = line
+
+    @classmethod
+    def from_function(cls, function: Callable[..., Any], _file: str) -> Self | None:
+        """Give the place of a function, or ``None`` where nothing can be kept."""
+        folder = _bundles_kernels() / function.__module__
+        try:
+            folder.mkdir(parents=True, exist_ok=True)
+            tempfile.TemporaryFile(dir=folder).close()
+        except OSError:
+            return None
+        return cls(folder, function.__code__.co_firstlineno)
+
+    def ensure_cache_path(self) -> None:
+        """Make the folder, should somebody have cleared the cache."""
+        self._folder.mkdir(parents=True, exist_ok=True)
+
+    def get_cache_path(self) -> str:
+        """Give the folder."""
+        return str(self._folder)
+
+    def get_source_stamp(self) -> str:
+        """Give what changes whenever a kernel may have changed."""
+        return _build()
+
+    def get_disambiguator(self) -> str:
+        """Tell functions of one name apart."""
+        return str(self._line)
+
+
+def _bundles_kernels() -> Path:
+    return Settings.from_environment().cache_dir / "kernels" / "bundle"
+
+
+@lru_cache(maxsize=1)
+def _build() -> str:
+    """Give the name of this build, which tools/bundle/seacruise.spec writes."""
+    return (_HOME / "build.txt").read_text(encoding="utf-8")
+
+
+def _take_what_the_bundle_brings() -> None:
+    numba.config.CACHE_LOCATOR_CLASSES = f"{__name__}.{BundledKernels.__name__}"  # type: ignore[attr-defined]
+    _settle_on_a_processor()
+    _unpack(_bundles_kernels())
+
+
+@lru_cache(maxsize=1)
+def _settle_on_a_processor() -> None:
+    """Make and accept machine code that serves most computers, so that it need not be made on each."""
+    from numba.core.codegen import get_host_cpu_features
+
+    abilities = get_host_cpu_features().split(",")  # type: ignore[no-untyped-call]
+    if all(f"+{name}" in abilities for name in _ABILITIES):
+        numba.config.CPU_NAME = _PROCESSOR  # type: ignore[attr-defined]
+        numba.config.CPU_FEATURES = ""  # type: ignore[attr-defined]
+
+
+@lru_cache(maxsize=1)
+def _unpack(kept: Path) -> None:
+    """Lay the machine code that came with the bundle where numba looks for it, once for each build.
+
+    What cannot be laid there is compiled, as on a computer that it was not made for.
+    """
+    shipped, mark = _HOME / "kernels.zip", kept / "build.txt"
+    with suppress(OSError):
+        if not shipped.is_file() or (mark.is_file() and mark.read_text(encoding="utf-8") == _build()):
+            return
+        kept.parent.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryDirectory(prefix="unpacked-", dir=kept.parent) as fresh:
+            shutil.unpack_archive(shipped, fresh)
+            (Path(fresh) / kept.name / mark.name).write_text(_build(), encoding="utf-8")
+            shutil.rmtree(kept, ignore_errors=True)
+            # Another SeaCruise that starts just now may have been faster; then this one has no place to go.
+            (Path(fresh) / kept.name).replace(kept)

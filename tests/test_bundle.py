@@ -13,10 +13,11 @@ import shutil
 import struct
 import subprocess
 import sys
+import zipfile
 from collections.abc import Callable, Sequence
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
-from types import FunctionType
+from types import FunctionType, ModuleType
 from typing import Any
 
 import pytest
@@ -51,7 +52,7 @@ def program() -> Path:
 
 @pytest.fixture(scope="session")
 def home(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Home of a sailor who has just unpacked it; shared, since the first passage compiles for a minute."""
+    """Home of a sailor who has just unpacked it; shared, since the sea is drawn once."""
     return tmp_path_factory.mktemp("sailor")
 
 
@@ -82,8 +83,23 @@ def run(program: Path, home: Path, tmp_path: Path) -> Run:
 
 
 def machine_code(home: Path) -> dict[str, int]:
-    kept = (home / "seacruise" / "cache" / "kernels").rglob("*.nb?")
-    return {path.name: path.stat().st_mtime_ns for path in kept}
+    kernels = home / "seacruise" / "cache" / "kernels"
+    return {str(path.relative_to(kernels)): path.stat().st_mtime_ns for path in kernels.rglob("*.nb?")}
+
+
+def shipped_machine_code(program: Path) -> set[str]:
+    with zipfile.ZipFile(program.parent / "_internal" / "kernels.zip") as archive:
+        return {str(Path(name)) for name in archive.namelist() if Path(name).suffix.startswith(".nb")}
+
+
+def works_here() -> bool:
+    """Tell whether this processor takes the machine code that bundles bring."""
+    from numba.core.codegen import get_host_cpu_features
+
+    from seacruise.compiled import _ABILITIES
+
+    abilities = get_host_cpu_features().split(",")  # type: ignore[no-untyped-call]
+    return all(f"+{name}" in abilities for name in _ABILITIES)
 
 
 def duration_h(answer: subprocess.CompletedProcess[str]) -> float:
@@ -113,13 +129,16 @@ def test_it_says_its_version_and_loads_nothing_from_elsewhere(run: Run) -> None:
 
 
 def test_a_passage_is_the_one_of_the_checkout_and_kernels_are_kept(
-    run: Run, home: Path, tmp_path: Path
+    run: Run, program: Path, home: Path, tmp_path: Path
 ) -> None:
     first = duration_h(run(*SAMPLE))
     assert first == pytest.approx(by_python(SAMPLE), abs=1e-3)
     compiled = machine_code(home)
     assert len(compiled) > 20
-    # Again from another folder: nothing is compiled, or kept under another name.
+    if works_here():
+        # It brings all that a passage needs: nothing was compiled.
+        assert set(compiled) == shipped_machine_code(program)
+    # Again: nothing is compiled, or kept under another name.
     exports = {name: str(tmp_path / f"passage.{name}") for name in ("gpx", "pdf")}
     again = run(
         *SAMPLE, "--gpx", exports["gpx"], "--pdf", exports["pdf"], "--chart", str(tmp_path / "chart.png")
@@ -132,8 +151,11 @@ def test_a_passage_is_the_one_of_the_checkout_and_kernels_are_kept(
     assert "<gpx" in (tmp_path / "passage.gpx").read_text(encoding="utf-8")
 
 
-def test_grib_is_read_in_a_process_of_its_own(run: Run, shared_data: Path, tmp_path: Path) -> None:
-    file = shared_data / "weather" / "baltic" / "RELOCATED_gfs025_192h_to_baltic.grb"
+@pytest.mark.parametrize(
+    "name", ["RELOCATED_gfs025_192h_to_baltic.grb", "RELOCATED_gfs025_120h_to_baltic.nc"]
+)
+def test_weather_is_read_in_a_process_of_its_own(run: Run, shared_data: Path, name: str) -> None:
+    file = shared_data / "weather" / "baltic" / name
     words = [*PLAN, "--forecast", str(file), "--depart", "2018-05-01T06:00Z"]
     assert duration_h(run(*words)) == pytest.approx(by_python(words), abs=1e-3)
 
@@ -163,6 +185,11 @@ def test_certificates_are_there_and_a_service_that_refuses_is_a_sentence(run: Ru
     assert json.loads(answer.stdout)["reason"] == "no-network"
 
 
+def test_a_polar_is_drawn(run: Run, tmp_path: Path) -> None:
+    run("polar", "plot", "Bavaria 46 Cruiser", "--out", "polar.svg")
+    assert "<svg" in (tmp_path / "polar.svg").read_text(encoding="utf-8")
+
+
 @pytest.mark.parametrize("platform", ["offscreen", "xcb"])
 def test_the_window_opens_and_draws(run: Run, tmp_path: Path, platform: str) -> None:
     more = {"QT_QPA_PLATFORM": platform, "LC_ALL": "C.UTF-8"}
@@ -182,8 +209,12 @@ def test_the_window_opens_and_draws(run: Run, tmp_path: Path, platform: str) -> 
 
 def test_what_must_be_in_it_is_in_it_and_nothing_of_ours_leaks(program: Path) -> None:
     inside = program.parent / "_internal"
-    for name in ("polars/bavaria-46-cruiser.csv", "ports.csv", "assets/wind/sample.nc", "certifi/cacert.pem"):
+    for name in ("polars/bavaria-46-cruiser.csv", "ports.csv", "certifi/cacert.pem"):
         assert (inside / name).is_file(), name
+    for file in (REPOSITORY / "assets").rglob("*.*"):
+        assert (inside / file.relative_to(REPOSITORY)).is_file(), file
+    words = {file.stem for file in inside.rglob("qt*.qm")}
+    assert {"qtbase_pl"} <= words <= {"qtbase_pl", "qtbase_en"}
     assert "PySide6" in (program.parent / "licenses" / "README.txt").read_text(encoding="utf-8")
     broken = [path for path in inside.rglob("*") if path.is_symlink() and not path.exists()]
     assert not broken
@@ -217,27 +248,71 @@ def test_a_library_loads_without_what_is_never_loaded(tmp_path: Path) -> None:
     assert answer.returncode == 0, answer.stderr
 
 
-def test_a_bundles_kernels_are_kept_by_the_bundles_place_not_by_where_the_sailor_stands(
-    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
-) -> None:
+@pytest.fixture
+def bundled(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> ModuleType:
+    """`seacruise.compiled` as in a bundle that lies in ``tmp_path``, with a home beside it."""
     import numba
 
     from seacruise import compiled
 
-    def double(x: float) -> float:
-        return 2.0 * x
-
-    # As PyInstaller leaves it.
-    inside = double.__code__.replace(co_filename="seacruise/compiled.py")
     monkeypatch.setattr(compiled, "_IS_BUNDLED", True)
+    monkeypatch.setattr(compiled, "_HOME", tmp_path)
+    monkeypatch.setattr(compiled, "_settle_on_a_processor", lambda: None)
+    monkeypatch.setattr(numba.config, "CACHE_LOCATOR_CLASSES", "")
     monkeypatch.setattr(numba.config, "CACHE_DIR", "")
     monkeypatch.setenv("SEACRUISE_HOME", str(tmp_path / "home"))
-    for folder in ("here", "there"):
-        (tmp_path / folder).mkdir()
-        monkeypatch.chdir(tmp_path / folder)
-        assert compiled.kernel(FunctionType(inside, {}, "double"))(1.5) == 3.0
-    kept = list((tmp_path / "home" / "cache" / "kernels").rglob("*.nbc"))
-    assert len(kept) == 1, kept
+    (tmp_path / "build.txt").write_text("build 1", encoding="utf-8")
+    compiled._build.cache_clear()
+    compiled._unpack.cache_clear()
+    monkeypatch.setattr(compiled, "_build", compiled._build.__wrapped__)
+    monkeypatch.setattr(compiled, "_unpack", compiled._unpack.__wrapped__)
+    return compiled
+
+
+def double(x: float) -> float:
+    return 2.0 * x
+
+
+def test_a_bundles_kernels_are_kept_by_build_not_by_where_the_bundle_or_the_sailor_is(
+    bundled: ModuleType, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    kept = tmp_path / "home" / "cache" / "kernels" / "bundle" / __name__
+    hits = []
+    for place, build in [("here", "build 1"), ("there", "build 1"), ("there", "build 2")]:
+        (tmp_path / place).mkdir(exist_ok=True)
+        monkeypatch.chdir(tmp_path / place)
+        (tmp_path / "build.txt").write_text(build, encoding="utf-8")
+        # As PyInstaller leaves it, wherever it unpacked.
+        inside = double.__code__.replace(co_filename=f"{place}/compiled.py")
+        kernel = bundled.kernel(FunctionType(inside, {"__name__": __name__}, "double"))
+        assert kernel(1.5) == 3.0
+        hits.append(sum(kernel.stats.cache_hits.values()))
+    assert hits == [0, 1, 0]
+    assert len(list(kept.glob("*.nbc"))) == 1
+
+
+def test_kernels_that_came_with_a_bundle_are_laid_out_once_for_each_build(
+    bundled: ModuleType, tmp_path: Path
+) -> None:
+    shipped = tmp_path / "made" / "bundle" / "seacruise.sea"
+    shipped.mkdir(parents=True)
+    (shipped / "kernel.nbc").write_bytes(b"code")
+    shutil.make_archive(str(tmp_path / "kernels"), "zip", tmp_path / "made", "bundle")
+    kept = bundled._bundles_kernels()
+    (kept / "seacruise.sea").mkdir(parents=True)
+    (kept / "seacruise.sea" / "old.nbc").write_bytes(b"of another build")
+    bundled._unpack(kept)
+    assert [path.name for path in (kept / "seacruise.sea").iterdir()] == ["kernel.nbc"]
+    # What was compiled since stays: it is not laid out again.
+    (kept / "seacruise.sea" / "more.nbc").write_bytes(b"of this build")
+    bundled._unpack(kept)
+    assert len(list((kept / "seacruise.sea").iterdir())) == 2
+    assert [path.name for path in kept.parent.iterdir()] == ["bundle"]
+
+
+def test_a_bundle_works_where_nothing_can_be_kept(bundled: ModuleType, tmp_path: Path) -> None:
+    (tmp_path / "home").write_text("no folder", encoding="utf-8")
+    assert bundled.kernel(double)(1.5) == 3.0
 
 
 def linked(source: str, target: str) -> None:
@@ -247,17 +322,27 @@ def linked(source: str, target: str) -> None:
         shutil.copy2(source, target)
 
 
-def test_it_may_be_moved(program: Path, home: Path, tmp_path: Path) -> None:
+def test_it_may_be_moved(run: Run, program: Path, home: Path, tmp_path: Path) -> None:
+    run(*SAMPLE)
+    compiled = machine_code(home)
     moved = tmp_path / "A folder with spaces, and ü"
     shutil.copytree(program.parent, moved, symlinks=True, copy_function=linked)
     picture = tmp_path / "window.png"
-    answer = subprocess.run(
-        [str(moved / program.name), "window", "--screenshot", str(picture)],
-        env={**os.environ, "HOME": str(home), "PATH": "", "QT_QPA_PLATFORM": "offscreen"},
-        capture_output=True,
-        encoding="utf-8",
-        timeout=600,
-        check=False,
-    )
-    assert answer.returncode == 0, answer.stderr
+    for words in (["window", "--screenshot", str(picture)], SAMPLE):
+        answer = subprocess.run(
+            [str(moved / program.name), *words],
+            env={
+                **os.environ,
+                "HOME": str(home),
+                "SEACRUISE_HOME": str(home / "seacruise"),
+                "PATH": "",
+                "QT_QPA_PLATFORM": "offscreen",
+            },
+            capture_output=True,
+            encoding="utf-8",
+            timeout=600,
+            check=False,
+        )
+        assert answer.returncode == 0, answer.stderr
     assert picture.is_file()
+    assert machine_code(home) == compiled

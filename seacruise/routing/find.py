@@ -172,6 +172,8 @@ class Fastest:
 
     Attributes
     ----------
+    near
+        The line before waypoints were left out, for who follows it.
     speeds, field
         What bounds are reckoned with: the hull of the polar, wind and current.
     boards_found
@@ -179,6 +181,7 @@ class Fastest:
     """
 
     line: Line
+    near: Line
     lattice: Lattice
     speeds: SpeedTable
     field: WindField
@@ -222,13 +225,14 @@ class Finder:
             turned = _turning(self.as_she_sails(asked), grid, asked.departure, job, ledger)
         # Where every board would be too short for the lattice she makes good the hull, as without costs.
         waters, line = turned or (waters, line)
+        near = line
         if asked.how.refine:
             job.report("refine", None, "Refining the passage")
-            line, settled = refine(waters, line, job, corridor=asked.how.corridor, known=known)
+            line, near, settled = refine(waters, line, job, corridor=asked.how.corridor, known=known)
             ledger.settled += settled
         ledger.lap("refine")
         ledger.vertices, ledger.edges = grid.vertices, int(grid.target.size)
-        return Fastest(line, grid, speeds, fine, boards_found=turned is not None)
+        return Fastest(line, near, grid, speeds, fine, boards_found=turned is not None)
 
     def as_she_sails(self, asked: Question) -> Waters:
         """Sea, wind and the speeds of the polar itself, every board of a beat one of its own."""

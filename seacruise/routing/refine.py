@@ -8,7 +8,7 @@ found. Then the waypoints leave the lattice: each is moved, dropped or put in un
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Final
+from typing import Any, Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -62,17 +62,11 @@ class Pull:
 THOROUGHLY: Final = Pull(
     (4.0, 2.0, 1.0, 0.5, 0.25, 0.1, 0.05), (16.0, 12.0, 10.0, 10.0, 10.0, 10.0, 10.0), rounds=10
 )
-QUICKLY: Final = Pull((2.0, 0.5, 0.2, 0.05), (10.0, 10.0, 10.0, 10.0), rounds=4)
-"""For a line that was pulled straight in nearly the same wind."""
+BRISKLY: Final = Pull((4.0, 2.0, 1.0, 0.5, 0.2, 0.05), (16.0, 12.0, 10.0, 10.0, 10.0, 10.0), rounds=5)
+"""While a hand drags."""
 
-FEW: Final = 40
-"""A first line of so few waypoints is relaxed so fast that it always is."""
-
-SKERRY_M: Final = 1.5 * METRES_PER_NM
-"""Islands that are narrower than this do not make two ways of one [m]."""
-
-ASIDE_M: Final = 12 * METRES_PER_NM
-"""Two lines that are farther apart than this somewhere are not the same way, islands or not [m]."""
+QUICKLY: Final = Pull((2.0, 1.0, 0.5, 0.2, 0.1, 0.05), (10.0,) * 6, rounds=8)
+"""For a line that was pulled straight in nearly the same wind: it has no long way to go."""
 
 SIMPLIFY: Final = 0.00025
 """Share of the duration that may be given for fewer waypoints: steering 50 courses helps nobody."""
@@ -260,33 +254,32 @@ def followed(waters: Waters, near: Array, ends: Array, departure: float) -> Line
         if waters.sea.clear(np.hstack([points[:-1], points[1:]])).all():
             line = timed(waters, points[:, 0].copy(), points[:, 1].copy(), departure)
             if np.isfinite(line.seconds) and not waters.forbid(line):
-                return simplified(waters, relaxed(waters, line, pull=QUICKLY))
+                return relaxed(waters, line, pull=QUICKLY)
     return None
 
 
-def same_way(waters: Waters, first: Line, line: Line) -> bool:
-    """Tell whether one line leads past the same sides of all islands as another one, not far from it."""
-    a, b = (np.stack([one.x, one.y], axis=1) for one in (first, line))
-    along = np.diff(b, axis=0)
-    towards = a[:, None] - b[:-1]
-    share = (towards * along).sum(axis=2) / np.maximum((along**2).sum(axis=1), 1e-9)
-    feet = b[:-1] + np.clip(share, 0.0, 1.0)[:, :, None] * along
-    nearest = np.hypot(*np.moveaxis(a[:, None] - feet, 2, 0)).argmin(axis=1)
-    across = np.hstack([a, feet[np.arange(len(a)), nearest]])
-    apart = np.hypot(across[:, 2] - across[:, 0], across[:, 3] - across[:, 1])
-    per_m = float(scale(from_mercator(0.0, line.y.mean())[0]))
-    if apart.max() * per_m > ASIDE_M:
-        return False
-    # On which side of a skerry is for the line that is known already to say.
-    across = across[apart * per_m > SKERRY_M]
-    zones = waters.zones.close(across, -np.inf, np.inf) if waters.zones else np.zeros(1)
-    return bool(waters.sea.clear(across).all()) and not zones.any()
+class Refined(NamedTuple):
+    """What refining gave.
+
+    Attributes
+    ----------
+    line
+        With as few waypoints as possible.
+    near
+        The same with all of them: who follows it next does not inherit what leaving them out costs.
+    settled
+        Vertices settled on the way.
+    """
+
+    line: Line
+    near: Line
+    settled: int
 
 
 def refine(
     waters: Waters, first: Line, job: Job, *, corridor: bool = True, known: Line | None = None
-) -> tuple[Line, int]:
-    """Refine what the first search found; returns the line and the vertices settled on the way.
+) -> Refined:
+    """Refine what the first search found.
 
     Never slower than ``first``, but for the share of `SIMPLIFY`.
 
@@ -295,13 +288,13 @@ def refine(
     corridor
         Search again in the corridor; else the waypoints of ``first`` are relaxed as they are.
     known
-        A line that `followed` gave: it stays where ``first`` is long and leads the same way, or is no faster.
+        A line that `followed` gave: the faster of both is taken.
     """
     if not corridor:
-        if known is not None and first.x.size > FEW and same_way(waters, first, known):
-            return known, 0
-        best = simplified(waters, relaxed(waters, first))
-        return (best if known is None or best.seconds < known.seconds else known), 0
+        best = relaxed(waters, first, pull=THOROUGHLY if known is None else BRISKLY)
+        if known is not None and known.seconds < best.seconds:
+            best = known
+        return Refined(simplified(waters, best), best, 0)
     lat, lon = from_mercator(first.x[[0, -1]], first.y[[0, -1]])
     distance_nm = float(great_circle_m(lat[0], lon[0], lat[1], lon[1])) / METRES_PER_NM
     spacing = min(CORRIDOR_SPACING_NM, max(0.25, distance_nm / 60))
@@ -317,4 +310,4 @@ def refine(
     best = relaxed(waters, first if line is None or line.seconds > first.seconds else line)
     job.check()
     # With fewer waypoints the ones that are left have better places than before.
-    return relaxed(waters, simplified(waters, best), split=False), settled
+    return Refined(relaxed(waters, simplified(waters, best), split=False), best, settled)

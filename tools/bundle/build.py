@@ -1,15 +1,17 @@
 """Build the bundle in ``build/bundle/seacruise``: ``python tools/bundle/build.py``; see docs/bundle.md.
 
-PyInstaller collects (``seacruise.spec`` says what), debug symbols go, licences come in.
+PyInstaller collects (``seacruise.spec`` says what), debug symbols go, compiled kernels and licences come in.
 """
 
 from __future__ import annotations
 
+import os
 import re
 import shutil
 import struct
 import subprocess
 import sys
+import tempfile
 from bisect import bisect_left
 from collections.abc import Iterator
 from importlib import metadata
@@ -79,6 +81,19 @@ def only_what_is_loaded(library: bytes) -> bytes:
     return bytes(cut)
 
 
+def add_kernels() -> None:
+    """Let the bundle compile its kernels and put them into it, so that the first passage need not wait.
+
+    `seacruise.compiled` takes them where the processor is of that kind.
+    """
+    program = BUNDLE / ("seacruise.exe" if os.name == "nt" else "seacruise")
+    with tempfile.TemporaryDirectory() as home:
+        env = {**os.environ, "SEACRUISE_HOME": home}
+        subprocess.run([str(program), "-m", "seacruise.warmup"], check=True, env=env)
+        kernels = Path(home) / "cache" / "kernels"
+        shutil.make_archive(str(BUNDLE / "_internal" / "kernels"), "zip", kernels, "bundle")
+
+
 def distributions() -> list[metadata.Distribution]:
     """Give SeaCruise, PyInstaller (whose bootloader is the program's first page) and all that they need."""
     found: dict[str, metadata.Distribution] = {}
@@ -133,6 +148,7 @@ def main() -> int:
     """Build, and say what came of it."""
     collect()
     lighten()
+    add_kernels()
     add_licences()
     print(f"{BUNDLE.relative_to(ROOT)}: {size_mb():.0f} MB")
     return 0

@@ -63,6 +63,7 @@ class PortsLayer(Layer):
     def __init__(self, bounds: QRectF) -> None:
         super().__init__(bounds)
         self._ports: list[tuple[QPointF, Port, int]] = []
+        self._places = np.empty((3, 0))
         self.chosen: dict[str, tuple[QPointF, str]] = {}
         self._left_out: frozenset[str] = frozenset()
         self._names_shown = True
@@ -86,6 +87,9 @@ class PortsLayer(Layer):
         ranks = rank_by_room(x.tolist(), y.tolist())
         places = [QPointF(px, py) for px, py in zip(x.tolist(), y.tolist(), strict=True)]
         self._ports = sorted(zip(places, ports, ranks, strict=True), key=lambda item: item[2])
+        self._places = np.array(
+            [[p.x() for p, _, _ in self._ports], [p.y() for p, _, _ in self._ports], sorted(ranks)]
+        )
         self.update()
 
     def choose(self, ends: Mapping[str, Port]) -> None:
@@ -112,10 +116,11 @@ class PortsLayer(Layer):
 
     def port_at(self, at: QPointF, to_pixels: QTransform) -> Port | None:
         """Port whose dot is drawn under a point [pixels]."""
-        finest = self._finest(to_pixels)
-        near = [(_gap(to_pixels.map(place), at), port) for place, port, rank in self._ports if rank <= finest]
-        gap, port = min(near, key=lambda item: item[0], default=(math.inf, None))
-        return port if gap <= _CATCH_PX else None
+        finest, here = self._finest(to_pixels), to_pixels.inverted()[0].map(at)
+        away = np.hypot(self._places[0] - here.x(), self._places[1] - here.y()) * to_pixels.m11()
+        away[self._places[2] > finest] = math.inf
+        nearest = int(away.argmin()) if away.size else -1
+        return self._ports[nearest][1] if nearest >= 0 and away[nearest] <= _CATCH_PX else None
 
     def _finest(self, to_pixels: QTransform) -> float:
         return float(np.log2(_COARSEST_M * to_pixels.m11() / _ROOM_PX))
