@@ -44,7 +44,7 @@ _IS_BUNDLED = getattr(sys, "frozen", False)
 _HOME = Path(__file__).resolve().parent.parent
 
 _PROCESSOR: Final = "x86-64-v3"
-"""Processor that a bundle's kernels are made for: Intel's since 2013, AMD's since 2015."""
+"""Processor that a bundle's kernels are made for: most of Intel's since 2013, AMD's since 2015."""
 
 _ABILITIES: Final = ("avx2", "bmi", "bmi2", "f16c", "fma", "lzcnt", "movbe")
 """What it has beyond older ones, in LLVM's words."""

@@ -9,6 +9,8 @@ from __future__ import annotations
 import sys
 from dataclasses import replace
 from datetime import timedelta
+from pathlib import Path
+from tempfile import TemporaryDirectory
 
 import numpy as np
 
@@ -48,6 +50,15 @@ def warm_up(settings: Settings | None = None) -> None:
     reach(outing, ports=ports, settings=settings, job=Job())
 
 
+def draw_a_sea() -> None:
+    """Draw a small sea and forget it: where the great ones are drawn already, others would compile for that."""
+    from seacruise.sea import Sea
+
+    with TemporaryDirectory() as folder:
+        Sea.around((57.6,), (18.3,), margin_deg=0.1, cache_dir=Path(folder))
+
+
 if __name__ == "__main__":
     print("Preparing SeaCruise for this computer (once)...", file=sys.stderr)  # noqa: T201
     warm_up()
+    draw_a_sea()

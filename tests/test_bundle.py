@@ -196,7 +196,8 @@ def test_the_window_opens_and_draws(run: Run, tmp_path: Path, platform: str) -> 
     if platform == "xcb":
         if not sys.platform.startswith("linux") or not os.environ.get("DISPLAY"):
             pytest.skip("NO DISPLAY: start it under xvfb-run, or on a desktop")
-        more["DISPLAY"] = os.environ["DISPLAY"]
+        # xvfb-run, and many a desktop, lets in only who knows its cookie.
+        more |= {name: os.environ[name] for name in ("DISPLAY", "XAUTHORITY") if name in os.environ}
     picture = tmp_path / "window.png"
     voyage = ["--from", "Gdynia", "--to", "Visby", "--forecast", "sample", "--depart", "2016-11-20T06:00Z"]
     answer = run("window", *voyage, "--screenshot", str(picture), "--size", "1280x800", **more)

@@ -28,6 +28,7 @@ from typing import Any, NoReturn
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
+import numpy as np
 from PySide6.QtCore import QEventLoop, QTimer
 from PySide6.QtWidgets import QApplication, QScrollArea, QToolButton, QWidget
 
@@ -51,6 +52,8 @@ DOCUMENTED = ((1280, 800),)
 POLISH = ("guide-1", "passage", "when-to-go", "where-to-go")
 IN_POLISH = ((1024, "dusk"), (1280, "night"), (1920, "day"))
 COLOURS = 256
+TURNED_DEG = (-40.0, -25.0, -12.0, -4.0, 5.0, 14.0, 27.0, 45.0)
+STRENGTH = (0.85, 1.1, 0.72, 1.05, 0.95, 1.2, 0.88, 1.0)
 PASSAGE: dict[str, Any] = {
     "start": "Gdynia",
     "end": "Stockholm",
@@ -289,17 +292,33 @@ def ensemble(window: MainWindow, shoot: Shoot) -> None:
     shoot("when-ensemble", None)
 
 
+def members(window: MainWindow, shoot: Shoot) -> None:
+    """Show the members of an ensemble on the chart, and the same passage with fewer turns."""
+    calculate(window)
+    wait(lambda: (bundle := window.chart.view.members.bundle) is not None and bundle.is_complete)
+    window.chart.time_bar.slider.setValue(30 * 60)
+    shoot("members", None)
+    window.menus.layers["members"].setChecked(False)
+    window.menus.layers["turns"].setChecked(True)
+    wait(lambda: bool(window.chart.view.others.ways) and not window.layers.ways.turns.jobs.is_running)
+    shoot("fewer-turns", None)
+
+
 def with_members(question: Question, where: Settings, job: Job) -> Wind:
-    """Sample wind with four members, weaker and stronger than it."""
+    """Sample wind with eight members, weaker and stronger than it, veered and backed."""
     wind = fetch_wind(question, where, job)
-    members = tuple(replace(wind, u=wind.u * k, v=wind.v * k) for k in (0.72, 0.88, 1.05, 1.2))
+    turned = (wind.u + 1j * wind.v)[None] * np.exp(1j * np.radians(TURNED_DEG))[:, None, None, None]
+    members = tuple(
+        replace(wind, u=k * one.real, v=k * one.imag) for k, one in zip(STRENGTH, turned, strict=True)
+    )
     return replace(wind, members=members)
 
 
 SCENES: dict[str, Scene] = {
-    scene.__name__: scene for scene in (passage, chart, when, ensemble, where, weather, yachts, saved)
+    scene.__name__: scene
+    for scene in (passage, chart, members, when, ensemble, where, weather, yachts, saved)
 }
-FETCHERS: dict[str, Fetcher] = {"ensemble": with_members}
+FETCHERS: dict[str, Fetcher] = {"ensemble": with_members, "members": with_members}
 
 
 def troubles(size: tuple[int, int], shoot_of: Callable[[MainWindow], Shoot]) -> None:
@@ -385,6 +404,14 @@ RUN = (
 PAGES = (
     ("when-yachts-day", "Yachts compared, a column each: in bold the fastest of each departure."),
     ("when-ensemble-day", "With an ensemble: ten to ninety per cent of its members lie within the band."),
+    (
+        "members-day",
+        "With an ensemble: the fastest passage in each member, and where she is in each at the time below.",
+    ),
+    (
+        "fewer-turns-day",
+        "The same passage with fewer tacks and gybes, and what they cost; a click adopts one.",
+    ),
     ("where-day", "What fits in the time there is."),
     ("weather-day", "Weather: each source, whether it can be used or why not, the key, what is kept."),
     (
@@ -466,7 +493,7 @@ def document() -> None:
         drive(shots)
         look(
             pages,
-            ["when", "ensemble", "where", "weather", "yachts", "saved", "chart", "troubles"],
+            ["when", "ensemble", "members", "where", "weather", "yachts", "saved", "chart", "troubles"],
             DOCUMENTED,
         )
         write_gallery(shots, pages / "1280x800")

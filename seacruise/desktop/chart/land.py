@@ -23,7 +23,7 @@ Points = NDArray[np.float64]
 MARGIN: Final = 1.0 / 16.0
 """Overlap to each side, as a share of a cell."""
 
-_MOST_POINTS: Final = 500_000
+_MOST_POINTS: Final = 300_000
 """Points of all cells that are kept; each depth of quartering has those of the whole once more."""
 
 

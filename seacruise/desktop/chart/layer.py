@@ -100,7 +100,7 @@ class Layer:
         raise NotImplementedError
 
 
-@lru_cache(maxsize=1500)
+@lru_cache(maxsize=500)
 def _text_sprite(text: str, font: str, ink: tuple[int, int], density: float) -> tuple[QPixmap, float]:
     """Picture of a text with its halo, and from its top to the base line [pixels]."""
     face = QFont()
@@ -187,7 +187,7 @@ class NamedDot:
     name: tuple[float, float, float, float]
 
 
-@lru_cache(maxsize=1000)
+@lru_cache(maxsize=500)
 def named_dot(
     name: str, font: str, inks: tuple[int, int, int], density: float, *, to_left: bool, radius: float
 ) -> NamedDot:
