@@ -10,6 +10,7 @@ import gc
 import os
 import re
 import sys
+import threading
 from collections.abc import Sequence
 from io import TextIOWrapper
 from itertools import pairwise
@@ -59,7 +60,22 @@ def main(argv: Sequence[str] | None = None) -> int:
         # The reader had enough (seacruise ports list | head). Python would complain at exit otherwise.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 0
+    if argv is None:
+        _leave_workers(code)
     return code
+
+
+def _leave_workers(code: int) -> None:
+    """End the process at once where a worker is left that nobody waits for any more.
+
+    Python would end its thread in the midst of compiled code, where that may end the process with a crash.
+    """
+    if any(thread.daemon for thread in threading.enumerate()):
+        import logging
+
+        logging.shutdown()
+        sys.stderr.flush()
+        os._exit(code)
 
 
 def _run(words: list[str]) -> int:

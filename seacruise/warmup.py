@@ -51,7 +51,7 @@ def warm_up(settings: Settings | None = None) -> None:
 
 
 def draw_a_sea() -> None:
-    """Draw a small sea and forget it: where the great ones are drawn already, others would compile for that."""
+    """Draw a sea and forget it: where one is drawn already, the first one elsewhere would compile for it."""
     from seacruise.sea import Sea
 
     with TemporaryDirectory() as folder:

@@ -577,3 +577,25 @@ def test_a_second_ctrl_c_does_not_wait() -> None:
 def test_directions_are_those_of_the_contract() -> None:
     triangular, rectangular = {12, 24, 36, 60, 72, 108, 132}, {8, 16, 32}
     assert set(request.DIRECTIONS) == triangular | rectangular
+
+
+@pytest.mark.parametrize("left", [True, False])
+def test_a_worker_that_has_not_ended_does_not_end_the_program_in_its_own_way(left: bool) -> None:
+    program = f"""
+import atexit, sys, threading
+from seacruise import cli
+atexit.register(print, "Python ended")
+def run(words):
+    print("answer", words)
+    if {left}:
+        threading.Thread(target=threading.Event().wait, daemon=True).start()
+    return 3
+cli._run = run
+sys.argv = ["seacruise", "plan"]
+sys.exit(cli.main())
+"""
+    ended = subprocess.run(
+        [sys.executable, "-c", program], capture_output=True, text=True, check=False, timeout=60
+    )
+    assert (ended.returncode, ended.stderr) == (3, "")
+    assert ended.stdout == "answer ['plan']\n" + ("" if left else "Python ended\n")

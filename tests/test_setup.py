@@ -182,12 +182,13 @@ def test_make_test_stops_at_the_first_failure(checkout: Path) -> None:
     answer = call(checkout, "make", "test")
     assert answer.returncode == 0, answer.stderr
     ran = [line for line in answer.stdout.splitlines() if not line.startswith(".venv")]
-    assert [line.strip() for line in ran][-5:] == [
+    assert [line.strip() for line in ran][-6:] == [
         "ruff check .",
         "ruff format --check .",
         "mypy",
         "python -m pytest --numprocesses=2 --dist=loadfile --ignore=tests/desktop --ignore=tests/display",
-        "python -m pytest tests/desktop tests/display",
+        "python -m pytest --numprocesses=2 --dist=loadfile tests/desktop",
+        "python -m pytest tests/display",
     ]
     stand_in(checkout / ".venv" / "bin", "mypy", "exit 1")
     stopped = call(checkout, "make", "test")
