@@ -1,11 +1,13 @@
 """Put results into docs/benchmarks.md: ``python -m benchmarks.tables results.json``.
 
-Only what stands between the two marks is replaced; the words around it are written by hand.
+Only what stands between the two marks is replaced; the words around it are written by hand. A file with
+some of the sections renews these, and says so in each.
 """
 
 from __future__ import annotations
 
 import json
+import re
 import sys
 from collections.abc import Iterable, Sequence
 from pathlib import Path
@@ -32,6 +34,22 @@ def render(report: Figures) -> str:
         if section is not None:
             parts.append(f"{name} failed: {section['failed']}" if "failed" in section else part(section))
     return "\n\n".join(parts)
+
+
+def renew(results: str, report: Figures) -> str:
+    """Put the sections of a report in the place of those of earlier results; the others stay."""
+    if set(report["sections"]) >= set(PARTS):
+        return render(report)
+    blocks = [block.strip() for block in re.split(r"(?m)^(?=### )", results)]
+    titles = [block.partition("\n")[0] for block in blocks]
+    for part in re.split(r"(?m)^(?=### )", render(report))[1:]:
+        title, _, body = part.strip().partition("\n")
+        renewed = f"{title}\n\nMeasured on its own, {report['begun']}.\n{body}"
+        if title in titles:
+            blocks[titles.index(title)] = renewed
+        else:
+            blocks.append(renewed)
+    return "\n\n".join(blocks)
 
 
 def _machine(report: Figures) -> str:
@@ -332,8 +350,10 @@ def main(arguments: Sequence[str]) -> int:
     report = json.loads(Path(arguments[0]).read_text(encoding="utf-8"))
     text = DOCUMENT.read_text(encoding="utf-8")
     before, rest = text.split(BEGIN)
-    after = rest.split(END)[1]
-    DOCUMENT.write_text(f"{before}{BEGIN}\n\n{render(report)}\n\n{END}{after}", encoding="utf-8")
+    results, after = rest.split(END)
+    DOCUMENT.write_text(
+        f"{before}{BEGIN}\n\n{renew(results.strip(), report)}\n\n{END}{after}", encoding="utf-8"
+    )
     return 0
 
 

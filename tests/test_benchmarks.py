@@ -19,7 +19,7 @@ from benchmarks import measure
 from benchmarks.__main__ import SECTIONS, main, missed
 from benchmarks.isochrones import polar_file
 from benchmarks.simulator import Simulator
-from benchmarks.tables import render
+from benchmarks.tables import render, renew
 from seacruise.geodesy import rhumb_distance_m, to_mercator
 from seacruise.routing.find import Question
 from seacruise.routing.manoeuvres import Course, straight_legs
@@ -96,6 +96,16 @@ def test_more_courses_find_no_slower_passage(report: Any) -> None:
 def test_missed_budgets_are_named_by_their_place() -> None:
     figures = {"a": {"b": {"within": False}, "c": {"within": True}}, "d": {"within_memory": False}}
     assert missed(figures) == ["a/b: within", "d: within_memory"]
+
+
+def test_some_of_the_sections_are_renewed_alone(report: Any) -> None:
+    before = render(report)
+    some = {**report, "begun": "another day", "sections": {"search": report["sections"]["search"]}}
+    after = renew(before, some)
+    assert after.replace("\n\nMeasured on its own, another day.", "") == before
+    assert after.count("another day") == 1
+    assert after.index("### Search") < after.index("another day") < after.index("| search | vertices |")
+    assert renew("", some).startswith("\n\n### Search\n\nMeasured on its own, another day.\n\n")
 
 
 def test_results_become_tables(report: Any) -> None:
