@@ -21,6 +21,7 @@ from PySide6.QtWidgets import (
     QTabBar,
     QWidget,
 )
+from pytestqt.qtbot import QtBot
 
 from seacruise.desktop import language
 from seacruise.desktop.about import AboutDialog
@@ -88,11 +89,11 @@ def said(widgets: list[QWidget]) -> list[str]:
     return [f"{type(w).__name__} {w.objectName()!r} {name_of(w)!r}" for w in widgets]
 
 
-def check(root: QWidget, qtbot: object) -> None:
+def check(root: QWidget, qtbot: QtBot) -> None:
     root.window().activateWindow()
-    QApplication.processEvents()
+    # A page that reads its yachts or its passages has no fields until it has them.
+    qtbot.waitUntil(lambda: bool(fields_of(root)), timeout=20_000)
     fields = fields_of(root)
-    assert fields
     assert not said([widget for widget in fields if not name_of(widget)])
     forth, back = walked(root), walked(root, backwards=True)
     assert not said([widget for widget in fields if widget not in forth])
@@ -102,29 +103,29 @@ def check(root: QWidget, qtbot: object) -> None:
 # --- every field -----------------------------------------------------------------------------------------
 
 
-def test_the_window_with_a_passage(answered: MainWindow, qtbot: object) -> None:
+def test_the_window_with_a_passage(answered: MainWindow, qtbot: QtBot) -> None:
     answered.form.options_bar.show_options(shown=True)
     check(answered, qtbot)
 
 
 @pytest.mark.parametrize("page", ["departures", "reach"])
-def test_the_pages_below_the_chart(answered: MainWindow, qtbot: object, page: str) -> None:
+def test_the_pages_below_the_chart(answered: MainWindow, qtbot: QtBot, page: str) -> None:
     answered.planning.frame.open_page(getattr(answered.planning, page))
     check(answered, qtbot)
 
 
 @pytest.mark.parametrize("page", ["weather", "yachts", "passages"])
-def test_the_pages_of_their_own(window: MainWindow, qtbot: object, page: str) -> None:
+def test_the_pages_of_their_own(window: MainWindow, qtbot: QtBot, page: str) -> None:
     getattr(window.desk, f"show_{page}")()
     check(getattr(window.desk, page), qtbot)
 
 
-def test_the_options(window: MainWindow, qtbot: object) -> None:
+def test_the_options(window: MainWindow, qtbot: QtBot) -> None:
     window.form.options_bar.open_dialog()
     check(window.form.options_bar.dialog, qtbot)
 
 
-def test_about(window: MainWindow, qtbot: object) -> None:
+def test_about(window: MainWindow, qtbot: QtBot) -> None:
     window.show_about()
     dialog = window.findChild(AboutDialog)
     assert dialog is not None
@@ -183,7 +184,7 @@ def test_no_two_letters_of_the_window_clash(spoken: str, answered: MainWindow, p
     assert not {letter: texts for letter, texts in letters.items() if len(texts) > 1}
 
 
-def test_the_focus_can_be_seen(window: MainWindow, qtbot: object) -> None:
+def test_the_focus_can_be_seen(window: MainWindow, qtbot: QtBot) -> None:
     window.activateWindow()
     alike = []
     for field in fields_of(window.form):
