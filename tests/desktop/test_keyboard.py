@@ -91,6 +91,7 @@ def said(widgets: list[QWidget]) -> list[str]:
 
 def check(root: QWidget, qtbot: QtBot) -> None:
     root.window().activateWindow()
+    QApplication.processEvents()
     # A page that reads its yachts or its passages has no fields until it has them.
     qtbot.waitUntil(lambda: bool(fields_of(root)), timeout=20_000)
     fields = fields_of(root)
